@@ -1,0 +1,29 @@
+# Every library pennon stands on. A missing one is named together with Debian's package for it.
+find_package(PkgConfig REQUIRED)
+
+macro(pennon_pkg_config target module package)
+  pkg_check_modules(${target} IMPORTED_TARGET GLOBAL ${module})
+  if(NOT ${target}_FOUND)
+    message(FATAL_ERROR "${module} was not found: install ${package} (./run.sh does it)")
+  endif()
+  # A library's own headers are not ours to warn about.
+  set_property(TARGET PkgConfig::${target} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES
+               ${${target}_INCLUDE_DIRS})
+endmacro()
+
+macro(pennon_find_package name package)
+  find_package(${name} QUIET)
+  if(NOT ${name}_FOUND)
+    message(FATAL_ERROR "${name} was not found: install ${package} (./run.sh does it)")
+  endif()
+endmacro()
+
+pennon_pkg_config(GSL gsl libgsl-dev)
+pennon_pkg_config(HDF5 hdf5-serial libhdf5-dev)
+pennon_pkg_config(ARPACK arpack libarpack2-dev)
+pennon_find_package(Eigen3 libeigen3-dev)
+pennon_find_package(tomlplusplus libtomlplusplus-dev)
+pennon_find_package(CLI11 libcli11-dev)
+pennon_find_package(fmt libfmt-dev)
+pennon_find_package(nlohmann_json nlohmann-json3-dev)
+pennon_find_package(OpenMP libgomp1)

@@ -1,0 +1,28 @@
+/// The physical parameters of a flag in a stream, scaled by the chord L, the inflow V and the fluid
+/// density rho_f. Axes: x spanwise, y streamwise from the leading edge, z normal to the flag.
+#pragma once
+
+#include <array>
+#include <optional>
+
+namespace pennon {
+
+enum class LeadingEdge { pinned, clamped };
+
+struct FlagParameters {
+  double mu = 0;                               ///< mass ratio rho_s h/(rho_f L)
+  double K_B = 0;                              ///< bending stiffness EI/(rho_f V^2 L^3)
+  double K_S = 500;                            ///< extensional stiffness Eh/((1-nu_s^2) rho_f V^2 L)
+  double nu_s = 0.3;                           ///< Poisson ratio
+  double damping = 0;                          ///< Kelvin-Voigt damping of the stretch
+  std::array<double, 3> gravity = {0, 0, 0};   ///< body acceleration g L/V^2
+  LeadingEdge leading_edge = LeadingEdge::pinned;
+  std::optional<double> gamma;                 ///< span S/L; none in two dimensions
+};
+
+struct FlowParameters {
+  double Re = 0;  ///< Reynolds number V L/nu
+  double U = 0;   ///< cross-flow U/V
+};
+
+}  // namespace pennon
