@@ -5,6 +5,9 @@
 #include <array>
 #include <optional>
 
+#include "common/range.hpp"
+#include "common/schema.hpp"
+
 namespace pennon {
 
 enum class LeadingEdge { pinned, clamped };
@@ -24,5 +27,20 @@ struct FlowParameters {
   double Re = 0;  ///< Reynolds number V L/nu
   double U = 0;   ///< cross-flow U/V
 };
+
+/// What each parameter may be, wherever a case gives it: in [flag] and [flow], or along a sweep.
+namespace ranges {
+inline constexpr Range mu = positive;
+inline constexpr Range Re = positive;
+inline constexpr Range K_B = not_negative;
+inline constexpr Range nu_s{0, 0.5};
+inline constexpr Range gamma = positive;
+inline constexpr Range U = any_sign;
+inline constexpr Range k_x = any_sign;
+inline constexpr Range k_y = positive;
+}  // namespace ranges
+
+void declare(Schema&, FlagParameters&);
+void declare(Schema&, FlowParameters&, bool& is_given);
 
 }  // namespace pennon

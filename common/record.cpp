@@ -1,0 +1,61 @@
+#include "common/record.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "common/atomic_file.hpp"
+#include "common/version.hpp"
+
+namespace pennon {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text.data();
+}
+
+// Linux gives the largest resident set in kilobytes.
+long peak_memory_kilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+}  // namespace
+
+Record::Timer::~Timer() { record_.add(phase_, seconds_since(begin_)); }
+
+void Record::add(const std::string& phase, double seconds) {
+  const auto found = std::ranges::find(phases_, phase, &std::pair<std::string, double>::first);
+  if (found == phases_.end()) phases_.emplace_back(phase, seconds);
+  else found->second += seconds;
+}
+
+double Record::wall_seconds() const { return seconds_since(begin_); }
+
+void Record::write(const std::filesystem::path& file) const {
+  nlohmann::ordered_json json;
+  json["pennon"] = {{"version", version()}, {"commit", commit()}};
+  json["command"] = command_line_;
+  json["finished"] = utc_now();
+  for (const auto& [name, number] : library_versions()) json["libraries"][name] = number;
+  json["ranks"] = 1;
+  json["wall_s"]["total"] = wall_seconds();
+  for (const auto& [phase, seconds] : phases_) json["wall_s"][phase] = seconds;
+  json["peak_memory_kB"] = peak_memory_kilobytes();
+  write_file(file, json.dump(2) + "\n");
+}
+
+}  // namespace pennon

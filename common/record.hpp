@@ -1,0 +1,44 @@
+/// What made a result: version, commit, libraries, ranks, wall time by phase, peak memory. Written
+/// beside every result as record.json.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pennon {
+
+class Record {
+ public:
+  explicit Record(std::string command_line) : command_line_(std::move(command_line)) {}
+
+  /// The time of a phase, counted from the construction of the timer to its destruction.
+  class Timer {
+   public:
+    Timer(Record& record, std::string phase) : record_(record), phase_(std::move(phase)) {}
+    ~Timer();
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+   private:
+    Record& record_;
+    std::string phase_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  };
+  [[nodiscard]] Timer time(std::string phase) { return {*this, std::move(phase)}; }
+
+  /// Wall seconds since the record was made.
+  double wall_seconds() const;
+  void write(const std::filesystem::path& file) const;
+
+ private:
+  void add(const std::string& phase, double seconds);
+
+  std::string command_line_;
+  std::vector<std::pair<std::string, double>> phases_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace pennon
