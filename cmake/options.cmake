@@ -2,6 +2,9 @@
 add_library(pennon_options INTERFACE)
 target_compile_features(pennon_options INTERFACE cxx_std_20)
 target_compile_options(pennon_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+# Sums and products are rounded one by one, so that scalar and vector code and every machine give the
+# same bits; square roots neither set errno nor trap, so that loops over them become vector code.
+target_compile_options(pennon_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_include_directories(pennon_options INTERFACE ${PROJECT_SOURCE_DIR})
 if(PENNON_SANITIZE)
   target_compile_options(pennon_options INTERFACE

@@ -1,5 +1,5 @@
-/// Files that are written whole or not at all: under a temporary name beside the final one, synced to
-/// the disk, then renamed. A killed run leaves no half-written file under a final name.
+/// Files that are written whole or not at all: under a temporary name beside the final one, synced
+/// to the disk, then renamed. A killed run leaves no half-written file under a final name.
 #pragma once
 
 #include <filesystem>

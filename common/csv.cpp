@@ -57,8 +57,8 @@ CsvTable::CsvTable(const std::filesystem::path& file) : file_(file.string()) {
 std::size_t CsvTable::column(const std::string& name) const {
   const auto found = std::ranges::find(names_, name);
   if (found == names_.end())
-    throw InputError(file_, fmt::format("has no column {}; its columns are {}", name,
-                                        fmt::join(names_, ", ")));
+    throw InputError(
+        file_, fmt::format("has no column {}; its columns are {}", name, fmt::join(names_, ", ")));
   return static_cast<std::size_t>(found - names_.begin());
 }
 
@@ -68,8 +68,8 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-    throw InputError(place(row), fmt::format("{} must be a finite number, but is \"{}\"",
-                                             names_[column], cell));
+    throw InputError(
+        place(row), fmt::format("{} must be a finite number, but is \"{}\"", names_[column], cell));
   return value;
 }
 
@@ -78,12 +78,14 @@ std::string CsvTable::place(std::size_t row) const {
 }
 
 CsvText::CsvText(const std::string& comment, const std::vector<std::string>& columns)
-    : columns_(columns.size()), text_(fmt::format("# {}\n{}\n", comment, fmt::join(columns, ","))) {}
+    : columns_(columns.size()),
+      text_(fmt::format("# {}\n{}\n", comment, fmt::join(columns, ","))) {}
 
 void CsvText::row(const std::vector<double>& numbers, const std::vector<std::string>& words_first) {
   assert(numbers.size() + words_first.size() == columns_);
   std::vector<std::string> cells = words_first;
-  for (const double value : numbers) cells.push_back(std::isnan(value) ? "" : fmt::format("{}", value));
+  for (const double value : numbers)
+    cells.push_back(std::isnan(value) ? "" : fmt::format("{}", value));
   text_ += fmt::format("{}\n", fmt::join(cells, ","));
 }
 

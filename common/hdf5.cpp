@@ -81,7 +81,9 @@ Handle::~Handle() {
   if (id_ >= 0) closer_(id_);
 }
 
-void Handle::close(const std::string& what) { check(closer_(std::exchange(id_, H5I_INVALID_HID)), what); }
+void Handle::close(const std::string& what) {
+  check(closer_(std::exchange(id_, H5I_INVALID_HID)), what);
+}
 
 Writer::Writer(const std::filesystem::path& path)
     : target_(path),
@@ -100,9 +102,9 @@ void Writer::declare(const std::string& name, const Shape& shape, const Attribut
                      H5Sclose, says(name));
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, says(name));
   check(H5Pset_create_intermediate_group(links, 1), says(name));
-  Handle dataset(H5Dcreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT,
-                            H5P_DEFAULT),
-                 H5Dclose, says(name));
+  Handle dataset(
+      H5Dcreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose, says(name));
   for (const auto& [key, value] : attributes) write_attribute(dataset, key, value, says(name));
   open_.emplace(name, std::move(dataset));
 }
@@ -142,7 +144,8 @@ void Writer::finish() {
 
 Reader::Reader(const std::filesystem::path& path)
     : path_(path.string()), file_([&] {
-        if (!std::filesystem::is_regular_file(path)) throw InputError(path.string(), "there is no such file");
+        if (!std::filesystem::is_regular_file(path))
+          throw InputError(path.string(), "there is no such file");
         const hid_t id = open_file(path);
         if (id < 0) throw InputError(path.string(), "is not an HDF5 file");
         return Handle(id, H5Fclose, path.string());
@@ -165,26 +168,53 @@ std::vector<std::string> Reader::names() const {
   return names;
 }
 
+Handle Reader::open(const std::string& name) const {
+  const hid_t id = contains(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : H5I_INVALID_HID;
+  if (id < 0) throw InputError(path_, "has no array " + name);
+  Handle dataset(id, H5Dclose, path_ + " " + name);
+  const Handle type(H5Dget_type(dataset), H5Tclose, path_ + " " + name);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+    throw InputError(path_, "has an array " + name + " of something other than numbers");
+  return dataset;
+}
+
 Shape Reader::shape(const std::string& name) const {
-  if (!contains(name)) throw InputError(path_, "has no array " + name);
-  return shape_of(Handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, path_ + " " + name));
+  return shape_of(open(name));
 }
 
 Array Reader::read(const std::string& name) const {
+  return read_every(name, Shape(shape(name).size(), 1));
+}
+
+Array Reader::read_every(const std::string& name, const Shape& strides) const {
+  const std::string what = path_ + " " + name + " cannot be read";
   Array array{shape(name), {}};
+  assert(strides.size() == array.shape.size());
+  for (std::size_t d = 0; d < strides.size(); ++d)
+    array.shape[d] = (array.shape[d] + strides[d] - 1) / strides[d];
   array.values.resize(count(array.shape));
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, path_ + " " + name);
-  check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()),
-        path_ + " " + name + " cannot be read");
+  if (array.values.empty()) return array;
+  const Handle dataset = open(name);
+  const Handle in_file(H5Dget_space(dataset), H5Sclose, what);
+  const int rank = static_cast<int>(strides.size());
+  const Shape start(strides.size(), 0);
+  if (rank > 0)
+    check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), strides.data(),
+                              array.shape.data(), nullptr),
+          what);
+  const Handle in_memory(H5Screate_simple(rank, array.shape.data(), nullptr), H5Sclose, what);
+  check(H5Dread(dataset, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, array.values.data()),
+        what);
   return array;
 }
 
 std::string Reader::text(const std::string& name, const std::string& attribute,
                          const std::string& fallback) const {
   if (H5Aexists_by_name(file_, name.c_str(), attribute.c_str(), H5P_DEFAULT) <= 0) return fallback;
-  const Handle handle(H5Aopen_by_name(file_, name.c_str(), attribute.c_str(), H5P_DEFAULT,
-                                      H5P_DEFAULT),
-                      H5Aclose, path_ + " " + attribute);
+  const Handle handle(
+      H5Aopen_by_name(file_, name.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+      path_ + " " + attribute);
   const Handle type(H5Aget_type(handle), H5Tclose, path_ + " " + attribute);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return fallback;
   std::string value(H5Tget_size(type), '\0');
@@ -193,11 +223,14 @@ std::string Reader::text(const std::string& name, const std::string& attribute,
   return value;
 }
 
-double Reader::number(const std::string& name, const std::string& attribute, double fallback) const {
+double Reader::number(const std::string& name, const std::string& attribute,
+                      double fallback) const {
   if (H5Aexists_by_name(file_, name.c_str(), attribute.c_str(), H5P_DEFAULT) <= 0) return fallback;
-  const Handle handle(H5Aopen_by_name(file_, name.c_str(), attribute.c_str(), H5P_DEFAULT,
-                                      H5P_DEFAULT),
-                      H5Aclose, path_ + " " + attribute);
+  const Handle handle(
+      H5Aopen_by_name(file_, name.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+      path_ + " " + attribute);
+  const Handle type(H5Aget_type(handle), H5Tclose, path_ + " " + attribute);
+  if (H5Tget_class(type) != H5T_FLOAT && H5Tget_class(type) != H5T_INTEGER) return fallback;
   double value = fallback;
   check(H5Aread(handle, H5T_NATIVE_DOUBLE, &value), path_ + " " + attribute);
   return value;

@@ -23,7 +23,8 @@ class Handle {
   /// Throws FileError with `what` and the library's words if `id` says that the call failed.
   Handle(hid_t id, Closer closer, const std::string& what);
   ~Handle();
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), closer_(other.closer_) {}
+  Handle(Handle&& other) noexcept
+      : id_(std::exchange(other.id_, H5I_INVALID_HID)), closer_(other.closer_) {}
   Handle& operator=(Handle&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(closer_, other.closer_);
@@ -70,7 +71,8 @@ class Writer {
   std::map<std::string, Handle> open_;
 };
 
-/// Reads a file. All members throw InputError that names the file and what it lacks.
+/// Reads a file. All members throw InputError that names the file and what it lacks, and FileError
+/// where what is there cannot be read.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path);
@@ -78,6 +80,8 @@ class Reader {
   bool contains(const std::string& name) const;
   std::vector<std::string> names() const;
   Array read(const std::string& name) const;
+  /// Every strides[d]-th element along each index d, from the first.
+  Array read_every(const std::string& name, const Shape& strides) const;
   Shape shape(const std::string& name) const;
   /// Of an array, or with name "/" of the file; `fallback` where there is none.
   std::string text(const std::string& name, const std::string& attribute,
@@ -85,6 +89,8 @@ class Reader {
   double number(const std::string& name, const std::string& attribute, double fallback) const;
 
  private:
+  Handle open(const std::string& name) const;
+
   std::string path_;
   Handle file_;
 };

@@ -1,0 +1,83 @@
+#include "lsa/curve.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "common/atomic_file.hpp"
+#include "common/csv.hpp"
+#include "common/hdf5.hpp"
+#include "common/interrupt.hpp"
+#include "lsa/marks.hpp"
+#include "lsa/quantity.hpp"
+
+namespace pennon::lsa {
+
+Curve compute(const CurveSettings& settings, const Point& point, const Theory& theory) {
+  const std::vector<Axis> axes = varying(settings.sweeps);
+  const auto sweep = [&](Axis axis) -> const Sweep& {
+    return *settings.sweeps[static_cast<std::size_t>(axis)];
+  };
+  Curve curve{axes[0], sweep(axes[0]).scale, sweep(axes[0]).values(), std::nullopt,
+              {},      settings.quantity,    settings.title,          {}};
+  if (axes.size() == 2) {
+    curve.family_axis = axes[1];
+    curve.family = sweep(axes[1]).values();
+  } else {
+    curve.family = {std::numeric_limits<double>::quiet_NaN()};
+  }
+  const Quantity& shown = quantity(settings.quantity);
+  for (const double member : curve.family) {
+    Point there = point;
+    if (curve.family_axis) set(there, *curve.family_axis, member);
+    std::vector<double> values;
+    values.reserve(curve.x.size());
+    for (const double x : curve.x) {
+      set(there, curve.axis, x);
+      values.push_back(shown.at(there, theory));
+    }
+    stop_if_interrupted("the curve was not written; run the same command again");
+    curve.values.push_back(std::move(values));
+  }
+  return curve;
+}
+
+void write_csv(const Curve& curve, const std::filesystem::path& path) {
+  std::vector<std::string> columns = {name(curve.axis)};
+  for (const double member : curve.family)
+    columns.push_back(curve.family_axis ? fmt::format("{} at {} = {}", curve.quantity,
+                                                      name(*curve.family_axis), member)
+                                        : curve.quantity);
+  CsvText text(quantity(curve.quantity).meaning + ", along " + meaning(curve.axis), columns);
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    std::vector<double> row = {curve.x[i]};
+    for (const auto& values : curve.values) row.push_back(values[i]);
+    text.row(row);
+  }
+  write_file(path, text.text());
+}
+
+void write_hdf5(const Curve& curve, const std::vector<Outcome>& marks, bool cross_flow,
+                const std::filesystem::path& path) {
+  hdf5::Writer file(path);
+  const Quantity& shown = quantity(curve.quantity);
+  file.attributes({{"kind", "lsa_curve"}, {"title", curve.title}});
+  file.write("/x", {curve.x.size()}, curve.x,
+             {{"name", name(curve.axis)},
+              {"meaning", meaning(curve.axis)},
+              {"label", label(curve.axis)},
+              {"scale", curve.scale == Scale::log ? "log" : "linear"}});
+  std::vector<double> values;
+  for (const auto& row : curve.values) values.insert(values.end(), row.begin(), row.end());
+  file.write("/values", {curve.family.size(), curve.x.size()}, values,
+             {{"name", shown.name}, {"meaning", shown.meaning}, {"label", shown.label}});
+  if (curve.family_axis)
+    file.write("/family", {curve.family.size()}, curve.family,
+               {{"name", name(*curve.family_axis)},
+                {"meaning", meaning(*curve.family_axis)},
+                {"label", label(*curve.family_axis)}});
+  write_marks(file, marks, curve.axis, curve.quantity, cross_flow);
+  file.finish();
+}
+
+}  // namespace pennon::lsa
