@@ -1,0 +1,39 @@
+#include "app/case.hpp"
+
+namespace pennon::app {
+namespace {
+
+// A path given in a case counts from the case file's folder; the resolved case holds it whole.
+void resolve(std::string& path, const std::string& key, const std::filesystem::path& case_file,
+             Faults& faults) {
+  if (path.empty()) return;
+  path = std::filesystem::absolute(case_file.parent_path() / path).lexically_normal().string();
+  if (!std::filesystem::is_regular_file(path))
+    faults.about(key, key + " names " + path + ", where there is no file");
+}
+
+}  // namespace
+
+Case::Case() {
+  declare(schema, flag);
+  declare(schema, flow, has_flow);
+  declare(schema, lsa);
+  declare(schema, modes);
+}
+
+Case::Case(const std::filesystem::path& file, std::span<const std::string> overrides,
+           bool needs_flow)
+    : Case() {
+  name = file.stem().string();
+  Faults faults = read_case_file(file, overrides, schema);
+  resolve(lsa.marks.table, "lsa.marks.table", file, faults);
+  resolve(lsa.verdicts.table, "lsa.verdicts.table", file, faults);
+  resolve(modes.decompose.samples, "modes.decompose.samples", file, faults);
+  if (needs_flow && !has_flow)
+    faults.about("flow", "[flow] is missing: Re, the Reynolds number V L/nu, has no default");
+  check(lsa, flag, flow, faults);
+  check(modes, flag, flow, faults);
+  faults.raise();
+}
+
+}  // namespace pennon::app

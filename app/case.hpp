@@ -1,0 +1,35 @@
+/// A whole case: every table that a case file may have, for all models.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "common/case_reader.hpp"
+#include "common/parameters.hpp"
+#include "common/schema.hpp"
+#include "lsa/settings.hpp"
+#include "modes/settings.hpp"
+
+namespace pennon::app {
+
+struct Case {
+  FlagParameters flag;
+  FlowParameters flow;
+  bool has_flow = false;
+  lsa::Settings lsa;
+  modes::Settings modes;
+
+  std::string name;  ///< of the file, without its ending
+  Schema schema;     ///< bound to the members above, so a case does not move
+
+  /// All defaults; only its schema is of use.
+  Case();
+  /// Reads and checks a case file with its overrides. Throws InputError with every fault.
+  Case(const std::filesystem::path& file, std::span<const std::string> overrides, bool needs_flow);
+  Case(const Case&) = delete;
+  Case& operator=(const Case&) = delete;
+};
+
+}  // namespace pennon::app

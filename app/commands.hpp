@@ -1,0 +1,23 @@
+/// The commands of pennon, one function each; app/main.cpp reads the command line and calls them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/run.hpp"
+
+namespace pennon::app {
+
+/// `pennon lsa CASE`: local stability: points, curves, maps.
+void run_lsa(const Options&);
+
+/// `pennon modes CASE`: normal modes.
+void run_modes(const Options&);
+
+/// `pennon plot FILE...`: pictures beside the files. Prints their names unless quiet.
+void run_plot(const std::vector<std::string>& files, bool quiet);
+
+/// `pennon reference`: the reference of the case file, in Markdown, on standard output.
+void run_reference();
+
+}  // namespace pennon::app

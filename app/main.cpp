@@ -1,0 +1,101 @@
+/// The command line of pennon: reads it, runs one command, turns faults into messages and exit
+/// codes (0 done, 2 bad input, 3 not converged or blown up, 1 anything else).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <string>
+
+#include "app/commands.hpp"
+#include "common/errors.hpp"
+#include "common/interrupt.hpp"
+#include "common/version.hpp"
+
+namespace {
+
+using namespace pennon;
+
+constexpr int exit_done = 0;
+constexpr int exit_other = 1;
+constexpr int exit_bad_input = 2;
+constexpr int exit_not_converged = 3;
+
+std::string version_text() {
+  std::string text = fmt::format("pennon {} (commit {})\n", version(), commit());
+  for (const auto& [name, number] : library_versions())
+    text += fmt::format("  {} {}\n", name, number);
+  return text;
+}
+
+void add_case_options(CLI::App& command, app::Options& options) {
+  command.add_option("CASE", options.case_file, "the case file (TOML)")->required();
+  command.add_option("--output", options.output, "folder for the results [results/<case name>]");
+  command
+      .add_option("--set", options.overrides, "table.key=value in place of the file's; repeatable")
+      ->allow_extra_args(false);
+  command.add_flag("--check", options.check,
+                   "validate, print the resolved case with every default, compute nothing");
+  command.add_flag("--json", options.json, "one JSON object on standard output");
+  command.add_flag("--quiet", options.quiet, "no progress and no summary");
+}
+
+std::string command_line(int argc, char** argv) {
+  std::string text = "pennon";
+  for (int i = 1; i < argc; ++i) text += fmt::format(" {}", argv[i]);
+  return text;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("pennon: the flutter of flags and thin membranes in a stream", "pennon");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  app::Options options;
+  options.command_line = command_line(argc, argv);
+  std::vector<std::string> files;
+
+  CLI::App* lsa = app.add_subcommand("lsa", "local stability: points, curves, maps");
+  add_case_options(*lsa, options);
+  lsa->footer("Example: pennon lsa data/cases/table1/C2D.toml --set flag.mu=0.05");
+  lsa->callback([&] { app::run_lsa(options); });
+
+  CLI::App* modes = app.add_subcommand("modes", "normal modes of the flag");
+  add_case_options(*modes, options);
+  modes->footer(
+      "Example: pennon modes data/cases/table1/C2D.toml --set modes.normal.family=in_vacuo");
+  modes->callback([&] { app::run_modes(options); });
+
+  CLI::App* plot = app.add_subcommand("plot", "pictures of output files, beside them");
+  plot->add_option("FILE", files, "HDF5 files that pennon wrote")->required();
+  plot->add_flag("--quiet", options.quiet, "do not print the pictures' names");
+  plot->footer("Example: pennon plot results/C2D/map.h5");
+  plot->callback([&] { app::run_plot(files, options.quiet); });
+
+  CLI::App* reference = app.add_subcommand("reference", "every key of a case file, in Markdown");
+  reference->footer("Example: pennon reference > docs/case-file.md");
+  reference->callback([] { app::run_reference(); });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& fault) {
+    return app.exit(fault) == 0 ? exit_done : exit_bad_input;
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  watch_for_interrupts();
+  try {
+    return run(argc, argv);
+  } catch (const InputError& fault) {
+    fmt::print(stderr, "{}\n", fault.what());
+    return exit_bad_input;
+  } catch (const SolverError& fault) {
+    fmt::print(stderr, "pennon: {}\n", fault.what());
+    return exit_not_converged;
+  } catch (const std::exception& fault) {
+    fmt::print(stderr, "pennon: {}\n", fault.what());
+    return exit_other;
+  }
+}

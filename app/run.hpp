@@ -1,0 +1,42 @@
+/// What every command on a case shares: read and check it, make the output folder, echo the
+/// resolved case, work, and leave summary.json and record.json.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case.hpp"
+#include "common/output_folder.hpp"
+#include "common/record.hpp"
+
+namespace pennon::app {
+
+struct Options {
+  std::string case_file;
+  std::string output;                  ///< the folder; empty: results/<case name>
+  std::vector<std::string> overrides;  ///< table.key=value
+  bool check = false;                  ///< print the resolved case and stop
+  bool json = false;                   ///< standard output is one JSON object
+  bool quiet = false;                  ///< no progress, no text
+  std::string command_line;            ///< for the record
+};
+
+/// What a command found: for scripts, and for the reader of the screen.
+struct Answer {
+  nlohmann::ordered_json json;
+  std::string text;
+};
+
+/// A command's work, and what it asks of the case.
+struct Command {
+  bool needs_flow;
+  std::function<void(Case&)> prepare;  ///< before the echo
+  std::function<Answer(const Case&, const OutputFolder&, Record&)> work;
+};
+
+/// Runs the command and prints its answer. Throws InputError, SolverError, FileError, Interrupted.
+void run(const Command&, const Options&);
+
+}  // namespace pennon::app
