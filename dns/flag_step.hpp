@@ -1,0 +1,34 @@
+/// What the forces of a flag over one step depend on.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace pennon::dns {
+
+/// A vector for each node, dim x nodes: (x, y, z), in two dimensions (y, z).
+template <int dim>
+using NodeVectors = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+
+/// Where forces are taken between the start and the end of a step.
+enum class Pairing {
+  /// At the end: the forces are the gradient of the energy there. For statics and backward
+  /// differences.
+  end,
+  /// A discrete gradient between start and end: the work of the forces over the step is exactly the
+  /// change of the energy, and momentum and angular momentum stay exactly. Each length, strain and
+  /// difference vector is replaced by the mean of its two values.
+  discrete_gradient
+};
+
+template <int dim>
+struct FlagStep {
+  const NodeVectors<dim>& start;
+  const NodeVectors<dim>& end;
+  Pairing pairing = Pairing::end;
+  double dt = 0;  ///< the damping's strain rate is (strain at end - at start)/dt; 0: none, statics
+
+  /// How fast the means follow the end: d(mean)/d(end).
+  double share_of_end() const { return pairing == Pairing::end ? 1.0 : 0.5; }
+};
+
+}  // namespace pennon::dns

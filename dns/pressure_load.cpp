@@ -1,0 +1,100 @@
+#include "dns/pressure_load.hpp"
+
+#include <Eigen/Geometry>
+
+namespace pennon::dns {
+namespace {
+
+template <int dim>
+NodeVectors<dim> paired(const FlagStep<dim>& step) {
+  if (step.pairing == Pairing::end) return step.end;
+  return (step.start + step.end) / 2;
+}
+
+Eigen::Vector2d turned(const Eigen::Vector2d& d) {
+  return {-d[1], d[0]};
+}
+
+// a x b as a matrix acting on b.
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
+  Eigen::Matrix3d m;
+  m << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
+  return m;
+}
+
+}  // namespace
+
+template <int dim>
+PressureLoad<dim>::PressureLoad(const FlagMesh& mesh) : span_(mesh.span()) {
+  const int last = mesh.chord_nodes() - 1;
+  if constexpr (dim == 2) {
+    for (int j = 0; j < last; ++j) elements_.push_back({{j, j + 1}, false});
+  } else {
+    const int steps = mesh.is_periodic() ? mesh.stations() : mesh.stations() - 1;
+    for (int i = 0; i < steps; ++i)
+      for (int j = 0; j < last; ++j) {
+        const int next = (i + 1) % mesh.stations();
+        elements_.push_back(
+            {{mesh.index(i, j), mesh.index(i, j + 1), mesh.index(next, j), mesh.index(next, j + 1)},
+             next == 0});
+      }
+  }
+}
+
+template <int dim>
+void PressureLoad<dim>::add_forces(const FlagStep<dim>& step, const Eigen::VectorXd& p,
+                                   NodeVectors<dim>& forces) const {
+  const NodeVectors<dim> x = paired(step);
+  for (std::size_t n = 0; n < elements_.size(); ++n) {
+    const auto& [nodes, crosses_seam] = elements_[n];
+    Vector area;
+    if constexpr (dim == 2) {
+      area = turned(x.col(nodes[1]) - x.col(nodes[0]));
+    } else {
+      Vector d_1 = x.col(nodes[3]) - x.col(nodes[0]);
+      Vector d_2 = x.col(nodes[1]) - x.col(nodes[2]);
+      if (crosses_seam) {
+        d_1[0] += span_;
+        d_2[0] -= span_;
+      }
+      area = d_1.cross(d_2) / 2;
+    }
+    const Vector share = p[static_cast<Eigen::Index>(n)] / static_cast<double>(corners) * area;
+    for (const int node : nodes) forces.col(node) += share;
+  }
+}
+
+template <int dim>
+void PressureLoad<dim>::add_tangent(const FlagStep<dim>& step, const Eigen::VectorXd& p,
+                                    TangentMatrix<dim>& tangent) const {
+  const NodeVectors<dim> x = paired(step);
+  for (std::size_t n = 0; n < elements_.size(); ++n) {
+    const auto& [nodes, crosses_seam] = elements_[n];
+    const double share =
+        step.share_of_end() * p[static_cast<Eigen::Index>(n)] / static_cast<double>(corners);
+    // d(area)/d(node) for each corner.
+    std::array<Eigen::Matrix<double, dim, dim>, corners> by;
+    if constexpr (dim == 2) {
+      by[1] << 0, -1, 1, 0;
+      by[0] = -by[1];
+    } else {
+      Vector d_1 = x.col(nodes[3]) - x.col(nodes[0]);
+      Vector d_2 = x.col(nodes[1]) - x.col(nodes[2]);
+      if (crosses_seam) {
+        d_1[0] += span_;
+        d_2[0] -= span_;
+      }
+      by[3] = -cross_matrix(d_2) / 2;
+      by[0] = -by[3];
+      by[1] = cross_matrix(d_1) / 2;
+      by[2] = -by[1];
+    }
+    for (const int row : nodes)
+      for (std::size_t c = 0; c < corners; ++c) tangent.add(row, nodes[c], -share * by[c]);
+  }
+}
+
+template class PressureLoad<2>;
+template class PressureLoad<3>;
+
+}  // namespace pennon::dns
