@@ -1,0 +1,249 @@
+/// The command as a user runs it: exit codes, messages, files, the paper's cases.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/csv.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/text_file.hpp"
+
+namespace pennon {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+const fs::path source = PENNON_SOURCE_DIR;
+const fs::path table_1_cases = source / "data/cases/table1";
+
+constexpr int done = 0, other = 1, bad_input = 2;
+
+// Starts pennon with its output in files; the caller waits for it.
+pid_t start(const std::vector<std::string>& arguments, const fs::path& out, const fs::path& err) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  for (const auto& [file, descriptor] :
+       {std::pair(out, STDOUT_FILENO), std::pair(err, STDERR_FILENO)})
+    dup2(open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), descriptor);
+  std::vector<char*> argv = {const_cast<char*>(PENNON_EXECUTABLE)};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  execv(PENNON_EXECUTABLE, argv.data());
+  _exit(127);
+}
+
+struct Outcome {
+  int status = -1;  // exit code, or minus the signal
+  std::string out, err;
+};
+
+class Commands : public testing::Test {
+ protected:
+  Outcome finish(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+            test::read_text(folder_ / "out.txt"), test::read_text(folder_ / "err.txt")};
+  }
+  pid_t start_in_background(const std::vector<std::string>& arguments) {
+    return start(arguments, folder_ / "out.txt", folder_ / "err.txt");
+  }
+  Outcome pennon(const std::vector<std::string>& arguments) {
+    return finish(start_in_background(arguments));
+  }
+  std::string results(const std::string& name = "results") const {
+    return (folder_ / name).string();
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+using Lsa = Commands;
+using Modes = Commands;
+using Pennon = Commands;
+
+std::string case_of(const std::string& name) {
+  return (table_1_cases / (name + ".toml")).string();
+}
+
+TEST_F(Lsa, GivesTheVerdictOfEveryRowOfTable1) {
+  const CsvTable table(source / "data/reference/table1.csv");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string name = table.text(row, table.column("case"));
+    const Outcome outcome = pennon({"lsa", case_of(name), "--json", "--output", results()});
+    ASSERT_EQ(outcome.status, done) << name << outcome.err;
+    const json lsa = json::parse(outcome.out).at("lsa");
+    EXPECT_EQ(lsa.at("unstable").get<bool>(), table.text(row, table.column("lsa")) == "U") << name;
+    for (const char* key : {"k_x", "k_y", "c_m", "P", "omega", "growth", "frequency", "mu_cr"})
+      EXPECT_TRUE(lsa.contains(key)) << key;
+  }
+}
+
+TEST_F(Lsa, FindsTheWavenumbersThatReproduceTable1) {
+  const Outcome outcome = pennon({"lsa", (source / "data/cases/verdicts_of_table1.toml").string(),
+                                  "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json verdicts = json::parse(outcome.out).at("lsa").at("verdicts");
+  EXPECT_EQ(verdicts.at("agreeing"), 18);
+  EXPECT_EQ(verdicts.at("reproduced_for_k_y").size(), 1U);
+  EXPECT_TRUE(fs::exists(results() + "/verdicts.png"));
+}
+
+TEST_F(Lsa, RunsTheResolvedCaseToTheSameNumbers) {
+  const std::vector<std::string> common = {"--json", "--quiet", "--set", "lsa.added_mass=lamb"};
+  std::vector<std::string> first = {"lsa", case_of("C2U025"), "--output", results("first")};
+  first.insert(first.end(), common.begin(), common.end());
+  const Outcome original = pennon(first);
+  ASSERT_EQ(original.status, done) << original.err;
+  const Outcome again = pennon(
+      {"lsa", results("first") + "/case.resolved.toml", "--json", "--output", results("again")});
+  ASSERT_EQ(again.status, done) << again.err;
+  EXPECT_EQ(json::parse(again.out), json::parse(original.out));
+}
+
+TEST_F(Lsa, LeavesARecordOfWhatMadeTheResult) {
+  ASSERT_EQ(pennon({"lsa", case_of("B1"), "--quiet", "--output", results()}).status, done);
+  const json record = json::parse(test::read_text(results() + "/record.json"));
+  for (const char* key : {"pennon", "command", "libraries", "ranks", "wall_s", "peak_memory_kB"})
+    EXPECT_TRUE(record.contains(key)) << key;
+}
+
+TEST_F(Lsa, KeepsTheSummaryOfModesForTheSameCaseAndDropsItForAnother) {
+  // The echo must be equal: both commands count as given in it only once both ran.
+  const std::string file = case_of("C2");
+  ASSERT_EQ(pennon({"modes", file, "--quiet", "--output", results()}).status, done);
+  ASSERT_EQ(pennon({"lsa", file, "--quiet", "--output", results()}).status, done);
+  const auto summary = [&] { return json::parse(test::read_text(results() + "/summary.json")); };
+  EXPECT_TRUE(summary().contains("lsa"));
+  EXPECT_TRUE(summary().contains("normal"));
+  ASSERT_EQ(pennon({"lsa", file, "--quiet", "--set", "flag.mu=0.2", "--output", results()}).status,
+            done);
+  EXPECT_FALSE(summary().contains("normal"));
+}
+
+TEST_F(Lsa, PrintsTheResolvedCaseAndComputesNothingWhenOnlyChecking) {
+  const Outcome outcome = pennon({"lsa", case_of("C2D"), "--check", "--output", results()});
+  EXPECT_EQ(outcome.status, done);
+  EXPECT_THAT(outcome.out, HasSubstr("added_mass = \"wu\""));
+  EXPECT_THAT(outcome.out, HasSubstr("K_S = 500.0"));
+  EXPECT_FALSE(fs::exists(results()));
+}
+
+TEST_F(Lsa, ReportsAllFaultsOfACaseWithTheirLines) {
+  const fs::path file =
+      test::write_text(folder_ / "bad.toml",
+                       "[flag]\nmu = -1\nnus = 0.3\ngamma = 2.0\n[flow]\nRe = inf\n"
+                       "[lsa]\nk_x = 1.0\n[lsa.map]\n"
+                       "k_y = { from = 1, to = 2, points = 9000000 }\n"
+                       "mu = { from = 1, to = 2, points = 9000000 }\n");
+  const Outcome outcome = pennon({"lsa", file.string(), "--output", results()});
+  EXPECT_EQ(outcome.status, bad_input);
+  for (const char* line : {":2: flag.mu must be > 0", ":3: flag.nus is not a setting; did you mean",
+                           ":6: flow.Re must be", ":8: lsa.k_x = 1 contradicts flag.gamma",
+                           ":9: lsa.map has 8.1e+13 points"})
+    EXPECT_THAT(outcome.err, HasSubstr(line));
+  EXPECT_FALSE(fs::exists(results()));
+}
+
+TEST_F(Lsa, FindsAnUnwritableFolderBeforeTheWork) {
+  const Outcome outcome = pennon({"lsa", case_of("C2D"), "--output", "/proc/nowhere"});
+  EXPECT_EQ(outcome.status, other);
+  EXPECT_THAT(outcome.err, HasSubstr("/proc/nowhere"));
+}
+
+TEST_F(Lsa, SaysWhichTableIsMissing) {
+  const Outcome outcome = pennon({"lsa", case_of("C2D"), "--set", "lsa.marks.table=none.csv"});
+  EXPECT_EQ(outcome.status, bad_input);
+  EXPECT_THAT(outcome.err, HasSubstr("none.csv"));
+}
+
+// A map that takes some seconds.
+std::vector<std::string> long_map(const std::string& output) {
+  return {"lsa",      (source / "data/cases/lsa/map_of_1e8_points.toml").string(),
+          "--output", output,
+          "--set",    "lsa.map.fields=[\"growth\"]"};
+}
+
+TEST_F(Lsa, KilledLeavesNoHalfWrittenFileUnderAFinalName) {
+  const pid_t child = start_in_background(long_map(results()));
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  kill(child, SIGKILL);
+  EXPECT_EQ(finish(child).status, -SIGKILL);
+  EXPECT_FALSE(fs::exists(results() + "/map.h5"));
+  EXPECT_FALSE(fs::exists(results() + "/summary.json"));
+}
+
+TEST_F(Lsa, InterruptedSaysHowToGoOnAndCleansUp) {
+  const pid_t child = start_in_background(long_map(results()));
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  kill(child, SIGTERM);
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.status, other);
+  EXPECT_THAT(outcome.err, HasSubstr("run the same command again"));
+  for (const auto& entry : fs::directory_iterator(results()))
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("map")));
+}
+
+TEST_F(Modes, ListsTheNormalModesOfTheContract) {
+  const Outcome outcome = pennon({"modes", case_of("C2"), "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json modes = json::parse(outcome.out).at("normal");
+  ASSERT_EQ(modes.size(), 9U);
+  for (const char* key : {"family", "n", "m", "alpha", "omega"})
+    EXPECT_TRUE(modes[0].contains(key));
+  for (const char* file : {"modes.csv", "modes.h5", "modes.png", "modes.svg"})
+    EXPECT_TRUE(fs::exists(results() + "/" + file)) << file;
+}
+
+TEST_F(Pennon, ChecksEveryCaseInTheProject) {
+  for (const auto& entry : fs::recursive_directory_iterator(source / "data/cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string folder = entry.path().parent_path().filename().string();
+    const Outcome outcome =
+        pennon({folder == "modes" ? "modes" : "lsa", entry.path().string(), "--check"});
+    EXPECT_EQ(outcome.status, done) << entry.path() << outcome.err;
+  }
+}
+
+TEST_F(Pennon, HasAReferenceOfTheCaseFileInStepWithTheCode) {
+  const Outcome outcome = pennon({"reference"});
+  EXPECT_EQ(outcome.status, done);
+  EXPECT_EQ(outcome.out, test::read_text(source / "docs/case-file.md"))
+      << "run: pennon reference > docs/case-file.md";
+}
+
+TEST_F(Pennon, DrawsAnOutputFileAgain) {
+  ASSERT_EQ(pennon({"lsa", (source / "data/cases/figures/figure4b.toml").string(), "--quiet",
+                    "--output", results()})
+                .status,
+            done);
+  fs::remove(results() + "/curve.png");
+  EXPECT_EQ(pennon({"plot", results() + "/curve.h5"}).status, done);
+  EXPECT_TRUE(fs::exists(results() + "/curve.png"));
+  const Outcome wrong = pennon({"plot", case_of("C2D")});
+  EXPECT_EQ(wrong.status, bad_input);
+  EXPECT_THAT(wrong.err, HasSubstr("is not an HDF5 file"));
+}
+
+TEST_F(Pennon, AnswersVersionHelpAndNonsense) {
+  EXPECT_THAT(pennon({"--version"}).out, HasSubstr("commit"));
+  EXPECT_THAT(pennon({"lsa", "--help"}).out, HasSubstr("Example: pennon lsa"));
+  EXPECT_EQ(pennon({}).status, bad_input);
+  EXPECT_EQ(pennon({"frobnicate"}).status, bad_input);
+  EXPECT_EQ(pennon({"lsa", case_of("C2D"), "--set", "nonsense"}).status, bad_input);
+}
+
+}  // namespace
+}  // namespace pennon
