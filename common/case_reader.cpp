@@ -3,39 +3,65 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <toml++/toml.h>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "common/nearest_name.hpp"
+#include "common/toml_depth.hpp"
+#include "common/utf8.hpp"
 
 namespace pennon {
 namespace {
 
 constexpr std::uintmax_t largest_case_file = 1 << 20;
 constexpr std::size_t longest_echo = 60;
+constexpr std::size_t most_name_parts = 16;  // far more than any case needs: lsa.map has two
 
-// The value as the user wrote it, cut where it is long.
+// The text, cut between two letters where it is long.
+std::string shortened(const std::string& text) {
+  std::size_t end = 0;
+  while (end < text.size() && end < longest_echo)
+    end += std::max<std::size_t>(utf8_length(std::string_view(text).substr(end)), 1);
+  return end < text.size() ? text.substr(0, end) + "..." : text;
+}
+
+// The value as the user wrote it.
 std::string echo(const toml::node& node) {
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
   std::string shown = text.str();
   std::replace(shown.begin(), shown.end(), '\n', ' ');
-  if (shown.size() > longest_echo) shown = shown.substr(0, longest_echo) + "...";
-  return shown;
+  return shortened(shown);
+}
+
+// A name as the user wrote it: in quotes, with its control characters escaped, unless it is bare.
+std::string echo(const std::string& name) {
+  const auto is_bare = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+  if (!name.empty() && std::ranges::all_of(name, is_bare)) return shortened(name);
+  return echo(toml::value<std::string>(name));
 }
 
 std::string kind_of(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "a list";
-    case toml::node_type::string: return "a text";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "true or false";
-    default: return "a date or time";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
   }
 }
 
@@ -64,7 +90,8 @@ class ValueReader {
         node.is_number() ? node.value<double>() : std::optional<double>();
     if (!value || !std::isfinite(*value)) {
       faults_.push_back(fmt::format("must be a finite number {}, but is {}{}", range.text(),
-                                    echo(node), node.is_number() ? "" : " (" + kind_of(node) + ")"));
+                                    echo(node),
+                                    node.is_number() ? "" : " (" + kind_of(node) + ")"));
       return std::nullopt;
     }
     if (!range.contains(*value)) {
@@ -85,7 +112,7 @@ class ValueReader {
   }
 
   std::optional<std::string> text(const toml::node& node) {
-    const auto value = node.value_exact<std::string>();
+    auto value = node.value_exact<std::string>();
     if (!value) {
       faults_.push_back(
           fmt::format("must be a text in quotes, but is {} ({})", echo(node), kind_of(node)));
@@ -109,8 +136,10 @@ class ValueReader {
     if (const auto value = integer(node_, key_.range)) *target = *value;
   }
   void read_into(bool* target) {
-    if (const auto value = node_.value_exact<bool>()) *target = *value;
-    else expected("true or false");
+    if (const auto value = node_.value_exact<bool>())
+      *target = *value;
+    else
+      expected("true or false");
   }
   void read_into(std::string* target) {
     if (const auto value = text(node_)) *target = *value;
@@ -140,8 +169,10 @@ class ValueReader {
   void read_into(std::array<double, 3>* target) {
     const auto values = numbers("a list of three numbers");
     if (!values) return;
-    if (values->size() == 3) std::ranges::copy(*values, target->begin());
-    else expected("a list of three numbers");
+    if (values->size() == 3)
+      std::ranges::copy(*values, target->begin());
+    else
+      expected("a list of three numbers");
   }
   void read_into(std::vector<double>* target) {
     if (auto values = numbers("a list of numbers")) *target = std::move(*values);
@@ -152,8 +183,8 @@ class ValueReader {
     if (values) *target = std::move(*values);
   }
   void read_into(std::vector<std::string>* target) {
-    auto values = list<std::string>("a list of texts",
-                                    [this](const toml::node& n) { return text(n); });
+    auto values =
+        list<std::string>("a list of texts", [this](const toml::node& n) { return text(n); });
     if (values) *target = std::move(*values);
   }
   void read_into(Choice& target) {
@@ -169,8 +200,7 @@ class ValueReader {
   }
 
   void read_into(std::optional<Sweep>* target) {
-    static const std::string form =
-        "a range { from = a, to = b, points = n } or a list of numbers";
+    static const std::string form = "a range { from = a, to = b, points = n } or a list of numbers";
     if (node_.is_array()) {
       const auto values = numbers(form);
       if (!values) return;
@@ -180,8 +210,10 @@ class ValueReader {
       *target = sweep;
       return;
     }
-    if (const toml::table* table = node_.as_table()) read_range(*table, target);
-    else expected(form);
+    if (const toml::table* table = node_.as_table())
+      read_range(*table, target);
+    else
+      expected(form);
   }
 
   void read_range(const toml::table& table, std::optional<Sweep>* target) {
@@ -192,22 +224,26 @@ class ValueReader {
     for (const auto& [name, node] : table) {
       const std::string part(name.str());
       if (std::ranges::find(parts, part) == parts.end()) {
-        faults_.push_back(fmt::format("has an unknown part {}{}; a range has from, to, points, scale",
-                                      part, did_you_mean(part, parts)));
+        faults_.push_back(
+            fmt::format("has an unknown part {}{}; a range has from, to, points, scale", echo(part),
+                        did_you_mean(part, parts)));
       }
     }
     const auto part = [&](const char* name, auto read_one) {
       const toml::node* node = table.get(name);
       if (node != nullptr) return read_one(*node);
-      faults_.push_back(fmt::format("lacks {}: a range is {{ from = a, to = b, points = n }}", name));
+      faults_.push_back(
+          fmt::format("lacks {}: a range is {{ from = a, to = b, points = n }}", name));
       return decltype(read_one(table))();
     };
     const auto from = part("from", [&](const toml::node& n) { return number(n, key_.range); });
     const auto to = part("to", [&](const toml::node& n) { return number(n, key_.range); });
-    const auto points = part("points", [&](const toml::node& n) { return integer(n, point_count); });
+    const auto points =
+        part("points", [&](const toml::node& n) { return integer(n, point_count); });
     if (const toml::node* scale = table.get("scale")) {
       const auto name = scale->value_exact<std::string>();
-      if (name == "log") sweep.scale = Scale::log;
+      if (name == "log")
+        sweep.scale = Scale::log;
       else if (name != "linear")
         faults_.push_back(
             fmt::format("has the scale {}, which must be \"linear\" or \"log\"", echo(*scale)));
@@ -233,18 +269,31 @@ class ValueReader {
 struct Document {
   toml::table root;
   std::string name;
-  std::map<const toml::node*, std::string> override_places;
+  std::map<const toml::node*, std::string> override_places = {};
+  std::vector<InputFault> refused_overrides = {};
 
   std::string place(const toml::node& node) const {
     if (const auto found = override_places.find(&node); found != override_places.end())
       return found->second;
     return fmt::format("{}:{}", name, node.source().begin.line);
   }
+
+  // Says that a node and all in it come from an override.
+  void overridden(const toml::node& node, const std::string& where) {
+    override_places[&node] = where;
+    if (const toml::table* table = node.as_table())
+      for (const auto& [key, child] : *table) overridden(child, where);
+  }
 };
 
 toml::table parse(std::string_view text, const std::string& name) {
   if (text.find('\0') != std::string_view::npos)
-    throw InputError(name, "is not a case file: it holds binary data (a NUL byte); a case is TOML text");
+    throw InputError(name,
+                     "is not a case file: it holds binary data (a NUL byte); a case is TOML text");
+  if (const DottedName deepest = deepest_name(text); deepest.parts > most_name_parts)
+    throw InputError(fmt::format("{}:{}", name, deepest.line),
+                     fmt::format("has a name of {} parts joined by dots; no name has more than {}",
+                                 deepest.parts, most_name_parts));
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& fault) {
@@ -267,48 +316,63 @@ std::vector<std::string> split(std::string_view dotted) {
 // The value of an override: TOML where it parses as one value, else the text itself.
 toml::table parse_value(const std::string& text) {
   try {
-    toml::table parsed = toml::parse("value = " + text);
-    if (parsed.size() == 1) return parsed;
+    if (deepest_name(text).parts <= most_name_parts) {
+      toml::table parsed = toml::parse("value = " + text);
+      if (parsed.size() == 1) return parsed;
+    }
   } catch (const toml::parse_error&) {
     // not TOML: taken as text below
   }
   return toml::table{{"value", text}};
 }
 
-// Puts one --set table.key=value into the document.
-void apply_override(Document& document, const std::string& assignment) {
-  const std::string where = "--set " + assignment;
-  const std::size_t equals = assignment.find('=');
-  std::vector<std::string> path = split(assignment.substr(0, equals));
-  const bool has_empty_part = std::ranges::any_of(path, &std::string::empty);
-  if (equals == std::string::npos || path.size() < 2 || has_empty_part)
-    throw InputError(where, "must have the form table.key=value, for example flag.mu=0.1");
+// The table an override's key is in, made where it is not there; null where a value is in its way.
+toml::table* table_of(Document& document, std::span<const std::string> path,
+                      const std::string& where) {
   toml::table* table = &document.root;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    toml::node* child = table->get(path[i]);
+  for (const std::string& name : path) {
+    toml::node* child = table->get(name);
     if (child == nullptr) {
-      child = &table->insert_or_assign(path[i], toml::table{}).first->second;
-      document.override_places[child] = where;
+      child = &table->insert_or_assign(name, toml::table{}).first->second;
+      document.overridden(*child, where);
     }
     table = child->as_table();
-    if (table == nullptr)
-      throw InputError(where, fmt::format("{} is not a table, so it has no keys", path[i]));
+    if (table == nullptr) return nullptr;
   }
+  return table;
+}
+
+// Puts one --set table.key=value into the document.
+void apply_override(Document& document, const std::string& assignment) {
+  const std::string where = "--set " + shortened(assignment);
+  const auto refuse = [&](std::string what) {
+    document.refused_overrides.push_back({where, std::move(what)});
+  };
+  const std::size_t equals = assignment.find('=');
+  const std::vector<std::string> path = split(assignment.substr(0, equals));
+  const bool has_empty_part = std::ranges::any_of(path, &std::string::empty);
+  if (!is_utf8(assignment)) return refuse("is not text in UTF-8");
+  if (equals == std::string::npos || path.size() < 2 || path.size() > most_name_parts ||
+      has_empty_part)
+    return refuse("must have the form table.key=value, for example flag.mu=0.1");
+  toml::table* table = table_of(document, std::span(path).first(path.size() - 1), where);
+  if (table == nullptr)
+    return refuse(fmt::format("a part of {} is a value and not a table, so it has no keys",
+                              shortened(assignment.substr(0, assignment.rfind('.', equals)))));
   const toml::table parsed = parse_value(assignment.substr(equals + 1));
-  document.override_places.erase(table->get(path.back()));
-  toml::node& node = table->insert_or_assign(path.back(), *parsed.get("value")).first->second;
-  document.override_places[&node] = where;
+  const auto place = table->insert_or_assign(path.back(), *parsed.get("value")).first;
+  document.overridden(place->second, where);
 }
 
 // Walks a document along the schema.
 class Walk {
  public:
-  Walk(const Document& document, Schema& schema) : document_(document), schema_(schema) {}
+  Walk(const Document& document, Schema& schema)
+      : document_(document), schema_(schema), found_(document.refused_overrides) {}
 
   Faults read() {
     walk(document_.root, "");
-    Faults faults(document_.name, places_);
-    for (const auto& [key, what] : found_) faults.about(key, what);
+    Faults faults(document_.name, places_, std::move(found_));
     for (const Table& table : schema_.tables) require(table, faults);
     return faults;
   }
@@ -324,24 +388,26 @@ class Walk {
     if (table != nullptr && table->is_given != nullptr) *table->is_given = true;
     for (const auto& [name, child] : node) {
       const std::string key(name.str());
-      const std::string dotted = prefix.empty() ? key : prefix + "." + key;
-      places_[dotted] = document_.place(child);
+      const std::string dotted = prefix.empty() ? echo(key) : prefix + "." + echo(key);
+      const std::string place = document_.place(child);
+      places_[dotted] = place;
       if (table != nullptr) {
         const auto declared = std::ranges::find(table->keys, key, &Key::name);
         if (declared != table->keys.end()) {
           for (std::string& what : ValueReader(*declared, child).read())
-            found_.emplace_back(dotted, dotted + " " + what);
+            found_.push_back({place, fmt::format("{} {}", dotted, what)});
           continue;
         }
       }
       if (is_table_or_above(dotted)) {
-        if (const toml::table* inner = child.as_table()) walk(*inner, dotted);
+        if (const toml::table* inner = child.as_table())
+          walk(*inner, dotted);
         else
-          found_.emplace_back(dotted, fmt::format("{} must be a table, [{}], but is {} ({})", dotted,
-                                                  dotted, echo(child), kind_of(child)));
+          found_.push_back({place, fmt::format("{} must be a table, [{}], but is {} ({})", dotted,
+                                               dotted, echo(child), kind_of(child))});
         continue;
       }
-      found_.emplace_back(dotted, unknown(key, dotted, table, prefix, child.is_table()));
+      found_.push_back({place, unknown(key, dotted, table, prefix, child.is_table())});
     }
   }
 
@@ -380,7 +446,7 @@ class Walk {
   const Document& document_;
   Schema& schema_;
   std::map<std::string, std::string> places_;
-  std::vector<std::pair<std::string, std::string>> found_;
+  std::vector<InputFault> found_;
 };
 
 }  // namespace
@@ -393,9 +459,12 @@ void Faults::about(const std::string& key, std::string what) {
 void Faults::raise() const {
   if (faults_.empty()) return;
   std::vector<InputFault> sorted = faults_;
-  const auto line = [](const InputFault& fault) {
-    const std::size_t colon = fault.where.rfind(':');
-    return colon == std::string::npos ? 0L : std::strtol(fault.where.c_str() + colon + 1, nullptr, 10);
+  // First what is about the whole file, then its lines, then the overrides.
+  const auto line = [this](const InputFault& fault) {
+    if (fault.where == file_) return 0L;
+    const bool is_line = fault.where.starts_with(file_ + ':');
+    return is_line ? std::strtol(fault.where.c_str() + file_.size() + 1, nullptr, 10)
+                   : std::numeric_limits<long>::max();
   };
   std::ranges::stable_sort(sorted, {}, line);
   throw InputError(std::move(sorted));
@@ -403,9 +472,9 @@ void Faults::raise() const {
 
 Faults read_case_text(std::string_view text, const std::string& name,
                       std::span<const std::string> overrides, Schema& schema) {
-  Document document{parse(text, name), name, {}};
+  Document document{parse(text, name), name};
   for (const std::string& assignment : overrides) apply_override(document, assignment);
-  if (document.root.empty())
+  if (document.root.empty() && document.refused_overrides.empty())
     throw InputError(name, "is empty: a case needs at least [flag] with mu");
   return Walk(document, schema).read();
 }
@@ -416,14 +485,15 @@ Faults read_case_file(const std::filesystem::path& file, std::span<const std::st
   const std::string name = file.string();
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) throw InputError(name, "there is no such file");
+  if (status.type() == fs::file_type::not_found) throw InputError(name, "there is no such file");
+  if (!fs::status_known(status)) throw InputError(name, "cannot be read: " + error.message());
   if (fs::is_directory(status))
-    throw InputError(name, "is a folder; a case is a TOML file, for example " +
-                               (file / "case.toml").string());
+    throw InputError(
+        name, "is a folder; a case is a TOML file, for example " + (file / "case.toml").string());
   if (!fs::is_regular_file(status)) throw InputError(name, "is not a regular file");
   if (const std::uintmax_t size = fs::file_size(file, error); size > largest_case_file)
-    throw InputError(name, fmt::format("has {} bytes; a case file has at most {}", size,
-                                       largest_case_file));
+    throw InputError(
+        name, fmt::format("has {} bytes; a case file has at most {}", size, largest_case_file));
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();

@@ -11,6 +11,11 @@
 namespace pennon::hdf5 {
 namespace {
 
+// Every file is closed by its owner. What the library would do besides at the end of the process
+// crashes where a file could not be written to its end (a full disk), so it must not be done. This
+// must come before any other call of the library, hence before main.
+const herr_t has_no_end_of_its_own = H5dont_atexit();
+
 // The innermost line of the library's error stack: its own words for what went wrong.
 std::string library_words() {
   std::string words;

@@ -23,6 +23,8 @@ class Handle {
   /// Throws FileError with `what` and the library's words if `id` says that the call failed.
   Handle(hid_t id, Closer closer, const std::string& what);
   ~Handle();
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
   Handle(Handle&& other) noexcept
       : id_(std::exchange(other.id_, H5I_INVALID_HID)), closer_(other.closer_) {}
   Handle& operator=(Handle&& other) noexcept {

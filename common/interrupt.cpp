@@ -25,7 +25,9 @@ void watch_for_interrupts() {
   std::signal(SIGTERM, note);
 }
 
-bool is_interrupted() { return caught_signal != 0; }
+bool is_interrupted() {
+  return caught_signal != 0;
+}
 
 void stop_if_interrupted(const char* advice) {
   if (!is_interrupted()) return;

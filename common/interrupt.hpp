@@ -1,4 +1,5 @@
-/// Ctrl-C and SIGTERM: long work asks now and then whether to stop, and leaves with its files whole.
+/// Ctrl-C and SIGTERM: long work asks now and then whether to stop, and leaves with its files
+/// whole.
 #pragma once
 
 namespace pennon {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pennon {
@@ -12,7 +13,9 @@ namespace {
 constexpr int edit = 2;
 constexpr int slip = 1;
 
-int removal_cost(char letter) { return letter == '_' ? slip : edit; }
+int removal_cost(char letter) {
+  return letter == '_' ? slip : edit;
+}
 
 int replacement_cost(char a, char b) {
   if (a == b) return 0;
@@ -20,19 +23,21 @@ int replacement_cost(char a, char b) {
   return lower(a) == lower(b) ? slip : edit;
 }
 
-// Levenshtein distance with the costs above (Wagner & Fischer 1974), one row at a time.
+// Edit distance with the costs above and swaps of neighbours (Damerau 1964; Wagner & Fischer 1974),
+// row by row.
 int distance(std::string_view a, std::string_view b) {
   std::vector<int> row(b.size() + 1);
   for (std::size_t j = 0; j < b.size(); ++j) row[j + 1] = row[j] + removal_cost(b[j]);
-  for (const char letter : a) {
-    int diagonal = row[0];
-    row[0] += removal_cost(letter);
+  std::vector<int> above = row;
+  std::vector<int> above_that;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    above_that = std::exchange(above, row);
+    row[0] = above[0] + removal_cost(a[i]);
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const int best =
-          std::min({row[j + 1] + removal_cost(letter), row[j] + removal_cost(b[j]),
-                    diagonal + replacement_cost(letter, b[j])});
-      diagonal = row[j + 1];
-      row[j + 1] = best;
+      row[j + 1] = std::min({above[j + 1] + removal_cost(a[i]), row[j] + removal_cost(b[j]),
+                             above[j] + replacement_cost(a[i], b[j])});
+      if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j])
+        row[j + 1] = std::min(row[j + 1], above_that[j - 1] + edit);
     }
   }
   return row.back();

@@ -16,7 +16,9 @@ namespace {
 // As much as the small files of any run, so that a full disk is met by the probe and not by them.
 constexpr std::size_t probe_bytes = 1 << 18;
 
-std::string system_message(int error) { return std::generic_category().message(error); }
+std::string system_message(int error) {
+  return std::generic_category().message(error);
+}
 
 // Writes and removes a file in the folder; returns the system's error number, or 0.
 int probe(const std::filesystem::path& folder) {
@@ -27,8 +29,10 @@ int probe(const std::filesystem::path& folder) {
   int error = 0;
   for (std::size_t written = 0; written < probe_bytes && error == 0; written += block.size()) {
     const ssize_t count = write(file, block.data(), block.size());
-    if (count < 0) error = errno;
-    else if (static_cast<std::size_t>(count) < block.size()) error = ENOSPC;
+    if (count < 0)
+      error = errno;
+    else if (static_cast<std::size_t>(count) < block.size())
+      error = ENOSPC;
   }
   if (close(file) != 0 && error == 0) error = errno;
   unlink(name.c_str());
@@ -41,11 +45,13 @@ OutputFolder::OutputFolder(std::filesystem::path folder) : folder_(std::move(fol
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error)
-    throw FileError(fmt::format("the output folder {} cannot be made: {}; choose another with --output",
-                                folder_.string(), error.message()));
+    throw FileError(
+        fmt::format("the output folder {} cannot be made: {}; choose another with --output",
+                    folder_.string(), error.message()));
   if (const int failure = probe(folder_))
-    throw FileError(fmt::format("the output folder {} cannot be written to: {}; choose another with --output",
-                                folder_.string(), system_message(failure)));
+    throw FileError(
+        fmt::format("the output folder {} cannot be written to: {}; choose another with --output",
+                    folder_.string(), system_message(failure)));
 }
 
 void OutputFolder::require_space(std::uintmax_t bytes, const std::string& what) const {

@@ -3,19 +3,21 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace pennon {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto quiet_for = 1s;           // work shorter than this shows nothing
+constexpr auto quiet_for = 1s;  // work shorter than this shows nothing
 constexpr auto terminal_interval = 100ms;
 constexpr auto log_interval = 10s;
 constexpr int bar_width = 40;
 
 std::string duration(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const auto whole = std::lround(seconds);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
@@ -43,7 +45,8 @@ void Progress::advance_to(std::int64_t done) {
 }
 
 void Progress::show(std::int64_t done, Clock::time_point now) {
-  const double fraction = static_cast<double>(done) / static_cast<double>(total_);
+  const double fraction =
+      std::clamp(static_cast<double>(done) / static_cast<double>(total_), 0.0, 1.0);
   const double elapsed = std::chrono::duration<double>(now - begin_).count();
   const std::string left =
       fraction > 0 ? duration(elapsed * (1 - fraction) / fraction) + " left" : "";

@@ -15,12 +15,13 @@ struct Range {
   std::string text() const;
 };
 
-/// The largest magnitude a scaled parameter of a flag may have, and its reciprocal the smallest that
-/// one that must be positive may have: far beyond any flag, yet products of a few of them neither
-/// overflow nor lose digits to underflow.
+/// The largest magnitude a scaled parameter of a flag may have, and the smallest that one that must
+/// be positive may have: far beyond any flag, yet products of a few of them neither overflow nor
+/// lose digits to underflow.
 inline constexpr double extreme = 1e30;
+inline constexpr double smallest = 1e-30;
 
-inline constexpr Range positive{1 / extreme, extreme};
+inline constexpr Range positive{smallest, extreme};
 inline constexpr Range not_negative{0, extreme};
 inline constexpr Range any_sign{-extreme, extreme};
 

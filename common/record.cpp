@@ -35,15 +35,21 @@ long peak_memory_kilobytes() {
 
 }  // namespace
 
-Record::Timer::~Timer() { record_.add(phase_, seconds_since(begin_)); }
+Record::Timer::~Timer() {
+  record_.add(phase_, seconds_since(begin_));
+}
 
 void Record::add(const std::string& phase, double seconds) {
   const auto found = std::ranges::find(phases_, phase, &std::pair<std::string, double>::first);
-  if (found == phases_.end()) phases_.emplace_back(phase, seconds);
-  else found->second += seconds;
+  if (found == phases_.end())
+    phases_.emplace_back(phase, seconds);
+  else
+    found->second += seconds;
 }
 
-double Record::wall_seconds() const { return seconds_since(begin_); }
+double Record::wall_seconds() const {
+  return seconds_since(begin_);
+}
 
 void Record::write(const std::filesystem::path& file) const {
   nlohmann::ordered_json json;
@@ -55,7 +61,8 @@ void Record::write(const std::filesystem::path& file) const {
   json["wall_s"]["total"] = wall_seconds();
   for (const auto& [phase, seconds] : phases_) json["wall_s"][phase] = seconds;
   json["peak_memory_kB"] = peak_memory_kilobytes();
-  write_file(file, json.dump(2) + "\n");
+  // A command line may hold a file name that is not UTF-8.
+  write_file(file, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace pennon

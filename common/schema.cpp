@@ -12,16 +12,22 @@ std::string toml(double value) {
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
-std::string toml(std::int64_t value) { return fmt::format("{}", value); }
-std::string toml(bool value) { return value ? "true" : "false"; }
+std::string toml(std::int64_t value) {
+  return fmt::format("{}", value);
+}
+std::string toml(bool value) {
+  return value ? "true" : "false";
+}
 
 std::string toml(const std::string& value) {
   std::string text = "\"";
   for (const char letter : value) {
     const auto code = static_cast<unsigned char>(letter);
     if (letter == '"' || letter == '\\') text += '\\';
-    if (code < 0x20 || code == 0x7f) text += fmt::format("\\u{:04X}", code);
-    else text += letter;
+    if (code < 0x20 || code == 0x7f)
+      text += fmt::format("\\u{:04X}", code);
+    else
+      text += letter;
   }
   return text + '"';
 }
@@ -29,6 +35,7 @@ std::string toml(const std::string& value) {
 template <class Values>
 std::string toml_list(const Values& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const auto& value : values) texts.push_back(toml(value));
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
@@ -111,9 +118,9 @@ std::string reference_text(const Schema& schema) {
     text += fmt::format("\n## [{}]\n\n{}\n\n", table.name, table.doc);
     text += "| key | type | meaning | allowed | default |\n|---|---|---|---|---|\n";
     for (const Key& key : table.keys)
-      text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name,
-                          std::visit(TypeName(), key.value), key.doc, allowed(key),
-                          default_of(key));
+      text +=
+          fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, std::visit(TypeName(), key.value),
+                      key.doc, allowed(key), default_of(key));
   }
   return text;
 }

@@ -26,18 +26,18 @@ struct Choice {
   std::function<std::optional<std::size_t>()> chosen;  ///< none when the key is unset
 };
 
-using Binding = std::variant<double*, std::optional<double>*, std::int64_t*, bool*, std::string*,
-                             std::array<double, 3>*, std::vector<double>*,
-                             std::vector<std::int64_t>*, std::vector<std::string>*,
-                             std::optional<Sweep>*, Choice>;
+using Binding =
+    std::variant<double*, std::optional<double>*, std::int64_t*, bool*, std::string*,
+                 std::array<double, 3>*, std::vector<double>*, std::vector<std::int64_t>*,
+                 std::vector<std::string>*, std::optional<Sweep>*, Choice>;
 
 struct Key {
   std::string name;
   Binding value;
-  std::string doc;            ///< one line: meaning, unit or definition
-  Range range = any_sign;     ///< of each number in it
+  std::string doc;         ///< one line: meaning, unit or definition
+  Range range = any_sign;  ///< of each number in it
   bool is_required = false;
-  std::string default_text = {};  ///< said instead of the bound value, e.g. "2 pi/gamma"
+  std::string default_text = {};        ///< said instead of the bound value, e.g. "2 pi/gamma"
   std::vector<std::string> known = {};  ///< what a text or each text of a list may be; any if empty
 };
 

@@ -1,7 +1,9 @@
 #include "common/sweep.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 
 namespace pennon {
 
@@ -11,8 +13,14 @@ double Sweep::at(std::int64_t i) const {
   if (i == 0) return from;
   if (i == points - 1) return to;
   const double fraction = static_cast<double>(i) / static_cast<double>(points - 1);
-  if (scale == Scale::log) return from * std::exp(fraction * std::log(to / from));
-  return from + fraction * (to - from);
+  const double value = scale == Scale::log ? from * std::exp(fraction * std::log(to / from))
+                                           : from + fraction * (to - from);
+  return std::clamp(value, from, to);  // roundoff may step over an end
+}
+
+bool Sweep::is_increasing() const {
+  if (!list.empty()) return std::ranges::adjacent_find(list, std::greater_equal<>()) == list.end();
+  return at(0) < at(1) && at(points - 2) < at(points - 1);
 }
 
 std::vector<double> Sweep::values() const {

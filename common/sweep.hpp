@@ -10,7 +10,7 @@ namespace pennon {
 enum class Scale { linear, log };
 
 struct Sweep {
-  double from = 0;
+  double from = 0;  ///< from < to
   double to = 0;
   std::int64_t points = 0;
   Scale scale = Scale::linear;
@@ -21,6 +21,9 @@ struct Sweep {
   }
   /// The i-th value, 0 <= i < size(); the first is exactly `from` and the last exactly `to`.
   double at(std::int64_t i) const;
+  /// Whether each value is above the one before: not so for an unordered list, or a range with more
+  /// points than there are doubles between its ends.
+  bool is_increasing() const;
   /// All values: size() doubles.
   std::vector<double> values() const;
 };

@@ -4,17 +4,21 @@
 #include <fmt/format.h>
 #include <gsl/gsl_version.h>
 
+#include <toml++/toml.h>
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
-#include <toml++/toml.h>
 
 #include "pennon_commit.hpp"
 
 namespace pennon {
 
-std::string version() { return PENNON_VERSION; }
-std::string commit() { return PENNON_COMMIT; }
+std::string version() {
+  return PENNON_VERSION;
+}
+std::string commit() {
+  return PENNON_COMMIT;
+}
 
 std::vector<std::pair<std::string, std::string>> library_versions() {
   unsigned major = 0;
@@ -24,10 +28,10 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
   return {
       {"ARPACK-NG", ARPACK_VERSION},
       {"CLI11", CLI11_VERSION},
-      {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-                            EIGEN_MINOR_VERSION)},
-      {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                          FMT_VERSION % 100)},
+      {"Eigen",
+       fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"fmt",
+       fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"GSL", gsl_version},
       {"HDF5", fmt::format("{}.{}.{}", major, minor, patch)},
       {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,

@@ -89,6 +89,16 @@ void check_axes(const std::string& table, const Sweeps& sweeps, const Model& mod
                                most_points_on_an_axis));
 }
 
+// A picture needs its values in order.
+void check_order(const std::string& table, Axis axis, const Sweep& sweep, Faults& faults) {
+  if (!sweep.is_increasing())
+    faults.about(
+        dotted(table, axis),
+        dotted(table, axis) + (sweep.list.empty()
+                                   ? " has more points than there are numbers between its ends"
+                                   : " must list its values in increasing order"));
+}
+
 std::string axes_text(const std::vector<Axis>& axes) {
   std::vector<std::string> names;
   for (const Axis axis : axes) names.push_back(name(axis));
@@ -110,6 +120,7 @@ void check_curve(const Settings& settings, Faults& faults) {
         fmt::format("lsa.curve needs one parameter as a range {{ from = a, to = b, points = "
                     "n }} and, for a family of curves, a second as a list; it has {}",
                     axes_text(axes)));
+  if (is_one || is_family) check_order("lsa.curve", axes[0], sweep(0), faults);
   if (is_family && sweep(1).size() > most_curves)
     faults.about(dotted("lsa.curve", axes[1]),
                  fmt::format("{} lists {} values; a picture holds at most {} curves",
@@ -127,8 +138,11 @@ void check_map(const Settings& settings, Faults& faults) {
                              "has {} ({})",
                              axes.size(), axes_text(axes)));
   double points = 1;
-  for (const Axis axis : axes)
-    points *= static_cast<double>(map.sweeps[static_cast<std::size_t>(axis)]->size());
+  for (const Axis axis : axes) {
+    const Sweep& sweep = *map.sweeps[static_cast<std::size_t>(axis)];
+    check_order("lsa.map", axis, sweep, faults);
+    points *= static_cast<double>(sweep.size());
+  }
   if (points > most_points_of_a_map)
     faults.about("lsa.map", fmt::format("lsa.map has {:.3g} points; a map has at most {:.0e}",
                                         points, most_points_of_a_map));

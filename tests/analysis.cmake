@@ -1,0 +1,5 @@
+pennon_test(analysis_tests LABEL unit
+  SOURCES
+    unit/analysis_figure.cpp
+    unit/analysis_raster.cpp
+  LINK pennon::analysis GTest::gmock)

@@ -1,0 +1,34 @@
+#include "analysis/plot.hpp"
+
+#include <fmt/format.h>
+
+#include "analysis/figure.hpp"
+#include "analysis/figures_of_lsa.hpp"
+#include "analysis/figures_of_modes.hpp"
+#include "common/errors.hpp"
+#include "common/hdf5.hpp"
+
+namespace pennon::analysis {
+namespace {
+
+Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
+  const std::string kind = file.text("/", "kind");
+  if (kind == "lsa_curve") return figure_of_curve(file);
+  if (kind == "lsa_map") return figure_of_map(file);
+  if (kind == "lsa_verdicts") return figure_of_verdicts(file);
+  if (kind == "normal_modes") return figure_of_normal_modes(file);
+  throw InputError(path.string(),
+                   kind.empty() ? "is not a file that pennon wrote: it has no attribute `kind`"
+                                : fmt::format("holds {}, which this pennon cannot draw", kind));
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> plot(const std::filesystem::path& path) {
+  const hdf5::Reader file(path);
+  std::filesystem::path stem = path;
+  stem.replace_extension();
+  return draw(figure_of(path, file), stem);
+}
+
+}  // namespace pennon::analysis

@@ -1,0 +1,17 @@
+/// Pictures of pennon's output files: what `pennon plot` does, and every command after its work.
+///
+/// A file says what it holds in its attribute `kind`: lsa_curve, lsa_map, lsa_verdicts,
+/// normal_modes.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace pennon::analysis {
+
+/// Draws the picture of an output file beside it (map.h5: map.png and map.svg) and returns the
+/// names of the pictures. Throws InputError where the file is none of pennon's, FileError as
+/// draw().
+std::vector<std::filesystem::path> plot(const std::filesystem::path& file);
+
+}  // namespace pennon::analysis

@@ -1,0 +1,45 @@
+#include "common/utf8.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace pennon {
+namespace {
+
+// The characters of each length: the leading byte's mark and its bits, and the least code point.
+struct Form {
+  std::size_t length;
+  unsigned char mask, mark;
+  std::uint32_t least;
+};
+constexpr std::array<Form, 4> forms = {
+    {{1, 0x80, 0x00, 0}, {2, 0xe0, 0xc0, 0x80}, {3, 0xf0, 0xe0, 0x800}, {4, 0xf8, 0xf0, 0x10000}}};
+
+}  // namespace
+
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  for (const Form& form : forms) {
+    if ((byte(0) & form.mask) != form.mark) continue;
+    if (text.size() < form.length) return 0;
+    std::uint32_t code = byte(0) & static_cast<unsigned char>(~form.mask);
+    for (std::size_t i = 1; i < form.length; ++i) {
+      if ((byte(i) & 0xc0) != 0x80) return 0;
+      code = (code << 6) | (byte(i) & 0x3fU);
+    }
+    const bool is_surrogate = code >= 0xd800 && code < 0xe000;
+    return code >= form.least && code <= 0x10ffff && !is_surrogate ? form.length : 0;
+  }
+  return 0;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+}  // namespace pennon

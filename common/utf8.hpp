@@ -1,0 +1,15 @@
+/// Whether bytes are text: UTF-8, as TOML, SVG and JSON require.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace pennon {
+
+/// The number of bytes of the character that begins a text that is not empty; 0 where those bytes
+/// are not UTF-8 (RFC 3629: neither overlong nor a surrogate).
+std::size_t utf8_length(std::string_view text);
+
+bool is_utf8(std::string_view text);
+
+}  // namespace pennon

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs the main job: the flag of data/cases/table1/C2D.toml by local
+# theory and by its modes, and the curves and maps of data/cases/figures/. Results go to results/.
+# With PENNON_SETUP_ONLY=1 in the environment it stops after the build.
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
+source cmake/setup.sh
+
+run_pennon() {
+  say "pennon $*"
+  build/app/pennon "$@"
+}
+
+set_up
+[[ ${PENNON_SETUP_ONLY:-0} != 1 ]] || exit 0
+
+run_pennon lsa data/cases/table1/C2D.toml
+run_pennon modes data/cases/table1/C2D.toml
+shopt -s nullglob
+for case_file in data/cases/figures/*.toml; do
+  run_pennon lsa "$case_file"
+done
+
+say "done; the results and their pictures are in results/:"
+find results -name '*.png' | sort
