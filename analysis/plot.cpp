@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/figure.hpp"
+#include "analysis/figures_of_flag.hpp"
 #include "analysis/figures_of_lsa.hpp"
 #include "analysis/figures_of_modes.hpp"
 #include "common/errors.hpp"
@@ -17,6 +18,8 @@ Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
   if (kind == "lsa_map") return figure_of_map(file);
   if (kind == "lsa_verdicts") return figure_of_verdicts(file);
   if (kind == "normal_modes") return figure_of_normal_modes(file);
+  if (kind == "flag_history") return figure_of_flag_history(file);
+  if (kind == "flag_shapes") return figure_of_flag_shapes(file);
   throw InputError(path.string(),
                    kind.empty() ? "is not a file that pennon wrote: it has no attribute `kind`"
                                 : fmt::format("holds {}, which this pennon cannot draw", kind));

@@ -19,6 +19,7 @@ Case::Case() {
   declare(schema, flow, has_flow);
   declare(schema, lsa);
   declare(schema, modes);
+  declare(schema, dns);
 }
 
 Case::Case(const std::filesystem::path& file, std::span<const std::string> overrides,
@@ -33,6 +34,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
     faults.about("flow", "[flow] is missing: Re, the Reynolds number V L/nu, has no default");
   check(lsa, flag, flow, faults);
   check(modes, flag, flow, faults);
+  check(dns, flag, faults);
   faults.raise();
 }
 

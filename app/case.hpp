@@ -9,6 +9,7 @@
 #include "common/case_reader.hpp"
 #include "common/parameters.hpp"
 #include "common/schema.hpp"
+#include "dns/settings.hpp"
 #include "lsa/settings.hpp"
 #include "modes/settings.hpp"
 
@@ -20,6 +21,7 @@ struct Case {
   bool has_flow = false;
   lsa::Settings lsa;
   modes::Settings modes;
+  dns::Settings dns;
 
   std::string name;  ///< of the file, without its ending
   Schema schema;     ///< bound to the members above, so a case does not move

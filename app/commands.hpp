@@ -14,6 +14,10 @@ void run_lsa(const Options&);
 /// `pennon modes CASE`: normal modes.
 void run_modes(const Options&);
 
+/// `pennon dns CASE`: direct simulation; so far of a flag by itself. `restart`: a checkpoint, or
+/// empty.
+void run_dns(const Options&, const std::string& restart);
+
 /// `pennon plot FILE...`: pictures beside the files. Prints their names unless quiet.
 void run_plot(const std::vector<std::string>& files, bool quiet);
 

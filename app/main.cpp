@@ -64,6 +64,13 @@ int run(int argc, char** argv) {
       "Example: pennon modes data/cases/table1/C2D.toml --set modes.normal.family=in_vacuo");
   modes->callback([&] { app::run_modes(options); });
 
+  std::string restart;
+  CLI::App* dns = app.add_subcommand("dns", "direct simulation; so far of a flag by itself");
+  add_case_options(*dns, options);
+  dns->add_option("--restart", restart, "go on from this checkpoint");
+  dns->footer("Example: pennon dns data/cases/flag/swinging_membrane.toml");
+  dns->callback([&] { app::run_dns(options, restart); });
+
   CLI::App* plot = app.add_subcommand("plot", "pictures of output files, beside them");
   plot->add_option("FILE", files, "HDF5 files that pennon wrote")->required();
   plot->add_flag("--quiet", options.quiet, "do not print the pictures' names");

@@ -62,6 +62,9 @@ class FlagStepper {
   /// when and how far it came; the state is then that of the last part that did.
   StepSummary advance(FlagState<dim>&, const LoadsAt&, double dt);
 
+  /// Has the next step factor its own tangent, so that what follows depends on the state alone.
+  void forget_tangent() { factored_mass_ = 0; }
+
  private:
   struct Equation;
   bool try_advance(FlagState<dim>&, const LoadsAt&, double dt, StepSummary&);

@@ -24,11 +24,12 @@ struct Pencil {
 };
 
 struct Eigenpairs {
-  ExtendedVector lambda;   ///< increasing
-  ExtendedMatrix vectors;  ///< columns with v^T M v = 1; the last component of at least 1% of the
-                           ///< largest magnitude is positive
-  double worst_residual = 0;  ///< (v^T M v)^1/2 of the last correction: before it, each 1/(lambda +
-                              ///< s) was an eigenvalue's within this, relatively
+  ExtendedVector lambda;  ///< increasing
+  /// Columns with v^T M v = 1; the last component of at least 1% of the largest is positive.
+  ExtendedMatrix vectors;
+  /// The largest (c^T M c)^1/2 of the last corrections c: before these, each 1/(lambda + s) was an
+  /// eigenvalue's within this, relatively.
+  double worst_residual = 0;
 };
 
 inline constexpr double largest_residual = 1e-10;

@@ -72,6 +72,7 @@ class Commands : public testing::Test {
 
 using Lsa = Commands;
 using Modes = Commands;
+using Dns = Commands;
 using Pennon = Commands;
 
 std::string case_of(const std::string& name) {
@@ -207,12 +208,67 @@ TEST_F(Modes, ListsTheNormalModesOfTheContract) {
     EXPECT_TRUE(fs::exists(results() + "/" + file)) << file;
 }
 
+TEST_F(Dns, BendsTheElasticaOfItsCase) {
+  const Outcome outcome = pennon({"dns", (source / "data/cases/flag/elastica.toml").string(),
+                                  "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json last = json::parse(outcome.out).at("dns").at("last");
+  EXPECT_NEAR(last.at("y").get<double>(), 0.78771, 1e-4);
+  EXPECT_NEAR(last.at("z").get<double>(), 0.55833, 1e-4);
+}
+
+TEST_F(Dns, GoesOnAfterATerminationToTheSameBits) {
+  const std::string file = (source / "data/cases/flag/swinging_membrane.toml").string();
+  const auto arguments = [&](const std::string& folder) {
+    return std::vector<std::string>{"dns",          file,
+                                    "--set",        "dns.n_x=8",
+                                    "--set",        "dns.flag.n_y=12",
+                                    "--set",        "dns.t_end=2.5",
+                                    "--set",        "dns.output.checkpoint_interval=0.5",
+                                    "--json",       "--output",
+                                    results(folder)};
+  };
+  const Outcome whole = pennon(arguments("whole"));
+  ASSERT_EQ(whole.status, done) << whole.err;
+  // Killed somewhere, then continued from the last whole checkpoint.
+  const pid_t child = start_in_background(arguments("parts"));
+  while (!fs::exists(results("parts") + "/checkpoint.h5") && waitpid(child, nullptr, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  std::vector<std::string> rest = arguments("parts");
+  rest.insert(rest.end(), {"--restart", results("parts") + "/checkpoint.h5"});
+  const Outcome continued = pennon(rest);
+  ASSERT_EQ(continued.status, done) << continued.err;
+  EXPECT_EQ(json::parse(continued.out).at("dns").at("last"),
+            json::parse(whole.out).at("dns").at("last"));
+  EXPECT_EQ(test::read_text(results("parts") + "/history.csv"),
+            test::read_text(results("whole") + "/history.csv"));
+}
+
+TEST_F(Dns, RefusesTheCheckpointOfAnotherFlag) {
+  const std::string file = (source / "data/cases/flag/hanging_chain.toml").string();
+  ASSERT_EQ(
+      pennon({"dns", file, "--quiet", "--set", "dns.t_end=0.01", "--output", results()}).status,
+      done);
+  const Outcome outcome = pennon({"dns", file, "--set", "dns.flag.n_y=51", "--restart",
+                                  results() + "/checkpoint.h5", "--output", results("other")});
+  EXPECT_EQ(outcome.status, bad_input);
+  EXPECT_THAT(outcome.err, HasSubstr("101 nodes"));
+}
+
+TEST_F(Dns, SaysThatTheFluidIsToCome) {
+  const Outcome outcome = pennon({"dns", case_of("C2D")});
+  EXPECT_EQ(outcome.status, bad_input);
+  EXPECT_THAT(outcome.err, HasSubstr("leave [flow] out"));
+}
+
 TEST_F(Pennon, ChecksEveryCaseInTheProject) {
   for (const auto& entry : fs::recursive_directory_iterator(source / "data/cases")) {
     if (entry.path().extension() != ".toml") continue;
     const std::string folder = entry.path().parent_path().filename().string();
-    const Outcome outcome =
-        pennon({folder == "modes" ? "modes" : "lsa", entry.path().string(), "--check"});
+    const std::string command = folder == "modes" ? "modes" : folder == "flag" ? "dns" : "lsa";
+    const Outcome outcome = pennon({command, entry.path().string(), "--check"});
     EXPECT_EQ(outcome.status, done) << entry.path() << outcome.err;
   }
 }

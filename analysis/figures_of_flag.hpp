@@ -1,0 +1,15 @@
+/// Figures of a simulated flag, from the files that dns/ wrote.
+#pragma once
+
+#include "analysis/figure.hpp"
+#include "common/hdf5.hpp"
+
+namespace pennon::analysis {
+
+/// The energies over time (figure 24b of the paper).
+Figure figure_of_flag_history(const hdf5::Reader&);
+
+/// The chord of the first spanwise station in the (y, z) plane at the kept times (figure 24a).
+Figure figure_of_flag_shapes(const hdf5::Reader&);
+
+}  // namespace pennon::analysis

@@ -1,0 +1,117 @@
+#include "dns/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace pennon::dns {
+namespace {
+
+constexpr double most_steps = 1e9;
+constexpr double most_nodes = 1e6;
+constexpr Range node_count{3, 100'000};
+
+}  // namespace
+
+void declare(Schema& schema, Settings& settings) {
+  schema
+      .table("dns", "The direct simulation. Without [flow]: the flag by itself (section 3.2).",
+             &settings.is_given)
+      .key({"dt", &settings.dt, "time step, in L/V", positive})
+      .key({"t_end", &settings.t_end, "end of the run, in L/V", positive})
+      .key({"n_x", &settings.n_x, "spanwise nodes; not used in two dimensions", node_count});
+  FlagSettings& flag = settings.flag;
+  schema.table("dns.flag", "The flag by itself: its nodes, its other edges, its time steps.")
+      .key({"n_y", &flag.n_y, "chordwise nodes", node_count})
+      .key({"spacing", choice(flag.spacing, {"uniform", "trailing", "both"}),
+            "of the chordwise nodes: where they are denser"})
+      .key({"trailing_edge", choice(flag.trailing_edge, {"free", "pinned", "clamped"}),
+            "how the edge y = 1 is held"})
+      .key({"side_edges", choice(flag.side_edges, {"free", "pinned", "clamped", "periodic"}),
+            "how the edges x = 0 and x = gamma are held"})
+      .key({"scheme", choice(flag.scheme, {"energy_conserving", "backward_difference"}),
+            "time stepping, both of second order"})
+      .key({"equilibrium", &flag.equilibrium,
+            "find the shape at rest under the loads instead of stepping in time"})
+      .key({"tolerance", &flag.tolerance, "of Newton's method: last change of a position, in L",
+            Range{1e-15, 1e-3}});
+  schema.table("dns.loads", "What acts on a flag by itself, beside [flag] gravity.")
+      .key({"pressure", &settings.loads.pressure,
+            "jump, below minus above, normal to the deformed flag, in rho_f V^2"})
+      .key({"load", &settings.loads.load,
+            "force per area along x, y, z, keeping its direction, in rho_f V^2"})
+      .key({"edge_load", &settings.loads.edge_load,
+            "force per span on the trailing edge along x, y, z, in rho_f V^2 L"});
+  schema.table("dns.initial", "Where the flag starts, without velocity.")
+      .key({"A", &settings.initial.A, "amplitudes of the cosines in (5.1), n = 0, 1, ..., in L"})
+      .key({"B", &settings.initial.B, "amplitudes of the sines in (5.1), n = 0, 1, ..., in L"})
+      .key({"angle", &settings.initial.angle,
+            "of the straight flag about its leading edge, in radians",
+            Range{-std::numbers::pi, std::numbers::pi}});
+  schema.table("dns.output", "What is kept, and how often.")
+      .key({"history_interval", &settings.output.history_interval,
+            "between rows of the history, in L/V; 0: every step", not_negative})
+      .key({"shape_interval", &settings.output.shape_interval,
+            "between shapes of the flag, in L/V; 0: none", not_negative})
+      .key({"checkpoint_interval", &settings.output.checkpoint_interval,
+            "between checkpoints, in L/V; 0: at the end only", not_negative})
+      .key({"probe_x", &settings.output.probe_x,
+            "x at rest of the place whose motion is kept; the nearest node is taken", not_negative})
+      .key({"probe_y", &settings.output.probe_y, "y at rest of that place", Range{0, 1}});
+}
+
+void check(const Settings& settings, const FlagParameters& flag, Faults& faults) {
+  if (!settings.is_given) return;
+  const auto about = [&](const std::string& key, const std::string& what) {
+    faults.about("dns." + key, "dns." + key + " " + what);
+  };
+  if (!settings.flag.equilibrium && settings.t_end / settings.dt > most_steps)
+    about("dt", fmt::format("= {} makes {:.3g} steps to t_end = {}; a run has at most {:.0e}",
+                            settings.dt, settings.t_end / settings.dt, settings.t_end, most_steps));
+  const double nodes = static_cast<double>(settings.flag.n_y) *
+                       (flag.gamma ? static_cast<double>(settings.n_x) : 1.0);
+  if (nodes > most_nodes)
+    about("flag.n_y",
+          fmt::format("= {} with dns.n_x = {} makes {:.3g} nodes; a flag has at most {:.0e}",
+                      settings.flag.n_y, settings.n_x, nodes, most_nodes));
+  if (!flag.gamma) {
+    if (settings.flag.side_edges != Edge::periodic)
+      about("flag.side_edges",
+            "is given, but without flag.gamma the flag is two-dimensional and has none");
+    if (settings.initial.A.size() > 1 || !settings.initial.B.empty())
+      about(settings.initial.B.empty() ? "initial.A" : "initial.B",
+            "holds spanwise waves, but without flag.gamma the flag is two-dimensional: only A = "
+            "[A_0] is right");
+    if (settings.loads.load[0] != 0 || settings.loads.edge_load[0] != 0 || flag.gravity[0] != 0)
+      about("loads",
+            "or flag.gravity acts along x, but without flag.gamma the flag is two-dimensional");
+  }
+  if (settings.initial.angle != 0 && (!settings.initial.A.empty() || !settings.initial.B.empty()))
+    about("initial.angle", "contradicts dns.initial.A or B: the flag starts straight or as (5.1)");
+  if (settings.flag.equilibrium && flag.K_B == 0)
+    about("flag.equilibrium",
+          "= true needs bending: without flag.K_B a slack flag has no stiffness across; let it "
+          "swing with "
+          "damping instead");
+}
+
+FlagMesh mesh_of(const Settings& settings, const FlagParameters& flag) {
+  std::vector<double> chord = uniform_chord(static_cast<int>(settings.flag.n_y));
+  for (double& eta : chord) {
+    if (settings.flag.spacing == ChordSpacing::trailing) eta = std::sin(std::numbers::pi / 2 * eta);
+    if (settings.flag.spacing == ChordSpacing::both)
+      eta = (1 - std::cos(std::numbers::pi * eta)) / 2;
+  }
+  const Edge leading = flag.leading_edge == LeadingEdge::clamped ? Edge::clamped : Edge::pinned;
+  const Edge side = settings.flag.side_edges;
+  const EdgeConditions edges{leading, settings.flag.trailing_edge, side, side};
+  if (!flag.gamma) return {std::move(chord), edges};
+  return {std::move(chord), static_cast<int>(settings.n_x), *flag.gamma, edges};
+}
+
+FlagMaterial material_of(const FlagParameters& flag) {
+  return {flag.mu, flag.K_B, flag.K_S, flag.nu_s, flag.damping};
+}
+
+}  // namespace pennon::dns
