@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the main job: the flag of data/cases/table1/C2D.toml by local
-# theory and by its modes, and the curves and maps of data/cases/figures/. Results go to results/.
+# Installs what is missing, builds, and runs the main job: the flag of data/cases/table1/C2D.toml by
+# local theory and by its modes, the verdicts of the paper's Table 1, and the curves and maps of its
+# figures. Results go to results/.
 # With PENNON_SETUP_ONLY=1 in the environment it stops after the build.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 source cmake/setup.sh
 
 run_pennon() {
-  say "pennon $*"
+  say "$*"
   build/app/pennon "$@"
 }
 
@@ -16,6 +17,7 @@ set_up
 
 run_pennon lsa data/cases/table1/C2D.toml
 run_pennon modes data/cases/table1/C2D.toml
+run_pennon lsa data/cases/verdicts_of_table1.toml
 shopt -s nullglob
 for case_file in data/cases/figures/*.toml; do
   run_pennon lsa "$case_file"

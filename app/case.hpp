@@ -32,6 +32,7 @@ struct Case {
   Case(const std::filesystem::path& file, std::span<const std::string> overrides, bool needs_flow);
   Case(const Case&) = delete;
   Case& operator=(const Case&) = delete;
+  ~Case() = default;
 };
 
 }  // namespace pennon::app

@@ -8,7 +8,10 @@ void declare(Schema& schema, FlagParameters& flag) {
       .key({"K_B", &flag.K_B, "bending stiffness EI/(rho_f V^2 L^3)", ranges::K_B})
       .key({"K_S", &flag.K_S, "extensional stiffness Eh/((1 - nu_s^2) rho_f V^2 L)", positive})
       .key({"nu_s", &flag.nu_s, "Poisson ratio", ranges::nu_s})
-      .key({"damping", &flag.damping, "Kelvin-Voigt damping of the stretch", not_negative})
+      .key({"damping", &flag.damping,
+            "retardation time of the stretch (Kelvin-Voigt): tension K_S (e + damping de/dt), in "
+            "L/V",
+            not_negative})
       .key({"gravity", &flag.gravity, "body acceleration g L/V^2 along x (span), y (chord), z",
             any_sign})
       .key({"leading_edge", choice(flag.leading_edge, {"pinned", "clamped"}),

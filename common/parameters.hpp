@@ -17,7 +17,7 @@ struct FlagParameters {
   double K_B = 0;                             ///< bending stiffness EI/(rho_f V^2 L^3)
   double K_S = 500;                           ///< extensional stiffness Eh/((1-nu_s^2) rho_f V^2 L)
   double nu_s = 0.3;                          ///< Poisson ratio
-  double damping = 0;                         ///< Kelvin-Voigt damping of the stretch
+  double damping = 0;                         ///< retardation time of the stretch (Kelvin-Voigt)
   std::array<double, 3> gravity = {0, 0, 0};  ///< body acceleration g L/V^2
   LeadingEdge leading_edge = LeadingEdge::pinned;
   std::optional<double> gamma;  ///< span S/L; none in two dimensions

@@ -7,21 +7,11 @@
 namespace pennon::dns {
 namespace {
 
-// A vector that depends linearly on the positions: sum of weight x_node, plus a constant.
-struct Linear {
-  struct Term {
-    int node;
-    double weight;
-  };
-  std::vector<Term> terms;
-  Eigen::Vector3d constant = Eigen::Vector3d::Zero();
-};
-
 const Eigen::Vector3d along_span = Eigen::Vector3d::UnitX();
 const Eigen::Vector3d along_chord = Eigen::Vector3d::UnitY();
 
 // The second derivative from three nodes with the spacings before and after the middle one.
-Linear second_derivative(int before, int middle, int after, double h_before, double h_after) {
+LinearVector second_derivative(int before, int middle, int after, double h_before, double h_after) {
   const double mean = (h_before + h_after) / 2;
   return {{{before, 1 / (mean * h_before)},
            {middle, -(1 / h_before + 1 / h_after) / mean},
@@ -31,11 +21,12 @@ Linear second_derivative(int before, int middle, int after, double h_before, dou
 
 // The same at an edge whose slope is held: 2/h ((x_in - x_edge)/h - slope), `slope` pointing
 // inwards.
-Linear second_derivative_at_clamp(int edge, int inside, double h, const Eigen::Vector3d& slope) {
+LinearVector second_derivative_at_clamp(int edge, int inside, double h,
+                                        const Eigen::Vector3d& slope) {
   return {{{edge, -2 / (h * h)}, {inside, 2 / (h * h)}}, -2 / h * slope};
 }
 
-std::optional<Linear> chordwise_curvature(const FlagMesh& mesh, int i, int j) {
+std::optional<LinearVector> chordwise_curvature(const FlagMesh& mesh, int i, int j) {
   const int last = mesh.chord_nodes() - 1;
   if (j > 0 && j < last)
     return second_derivative(mesh.index(i, j - 1), mesh.index(i, j), mesh.index(i, j + 1),
@@ -48,12 +39,13 @@ std::optional<Linear> chordwise_curvature(const FlagMesh& mesh, int i, int j) {
   return std::nullopt;
 }
 
-std::optional<Linear> spanwise_curvature(const FlagMesh& mesh, int i, int j) {
+std::optional<LinearVector> spanwise_curvature(const FlagMesh& mesh, int i, int j) {
   const int stations = mesh.stations();
   const double h = mesh.dx();
   if (mesh.is_periodic()) {
-    Linear curvature = second_derivative(mesh.index((i + stations - 1) % stations, j),
-                                         mesh.index(i, j), mesh.index((i + 1) % stations, j), h, h);
+    LinearVector curvature =
+        second_derivative(mesh.index((i + stations - 1) % stations, j), mesh.index(i, j),
+                          mesh.index((i + 1) % stations, j), h, h);
     if (i == 0) curvature.constant -= mesh.span() / (h * h) * along_span;
     if (i == stations - 1) curvature.constant += mesh.span() / (h * h) * along_span;
     return curvature;
@@ -67,7 +59,7 @@ std::optional<Linear> spanwise_curvature(const FlagMesh& mesh, int i, int j) {
   return std::nullopt;
 }
 
-Linear twist(const FlagMesh& mesh, int i, int j) {
+LinearVector twist(const FlagMesh& mesh, int i, int j) {
   const int next = (i + 1) % mesh.stations();
   const double w = 1 / (mesh.dx() * mesh.dy(j));
   return {{{mesh.index(i, j), w},
@@ -82,7 +74,7 @@ class Assembly {
   explicit Assembly(int nodes) : nodes_(nodes) { form_.load.setZero(3, nodes); }
 
   // Adds weight a.b to the energy.
-  void add(double weight, const Linear& a, const Linear& b) {
+  void add(double weight, const LinearVector& a, const LinearVector& b) {
     for (const auto& [p, w_p] : a.terms)
       for (const auto& [q, w_q] : b.terms) {
         entries_.emplace_back(p, q, weight * w_p * w_q);
@@ -90,7 +82,7 @@ class Assembly {
       }
     for (const auto& [p, w_p] : a.terms) form_.load.col(p) += weight * w_p * b.constant;
     for (const auto& [q, w_q] : b.terms) form_.load.col(q) += weight * w_q * a.constant;
-    form_.constant += weight * a.constant.dot(b.constant);
+    form_.products.push_back({weight, a, b});
   }
 
   BendingForm finished() {
@@ -120,7 +112,19 @@ void add_node(Assembly& assembly, const FlagMesh& mesh, int i, int j, double K_B
   if (along && across) assembly.add(half * 2 * nu_s, *along, *across);
 }
 
+Eigen::Vector3d value(const LinearVector& vector, const Eigen::Matrix3Xd& x) {
+  Eigen::Vector3d sum = vector.constant;
+  for (const auto& [node, weight] : vector.terms) sum += weight * x.col(node);
+  return sum;
+}
+
 }  // namespace
+
+double BendingForm::energy(const Eigen::Matrix3Xd& x) const {
+  double sum = 0;
+  for (const Product& p : products) sum += p.weight * value(p.a, x).dot(value(p.b, x));
+  return sum;
+}
 
 BendingForm bending_form(const FlagMesh& mesh, double K_B, double nu_s) {
   Assembly assembly(mesh.nodes());
@@ -131,7 +135,7 @@ BendingForm bending_form(const FlagMesh& mesh, double K_B, double nu_s) {
   const int cells_along_span = mesh.is_periodic() ? mesh.stations() : mesh.stations() - 1;
   for (int i = 0; i < cells_along_span; ++i)
     for (int j = 0; j + 1 < mesh.chord_nodes(); ++j) {
-      const Linear x_12 = twist(mesh, i, j);
+      const LinearVector x_12 = twist(mesh, i, j);
       assembly.add(K_B / 2 * mesh.dx() * mesh.dy(j) * 2 * (1 - nu_s), x_12, x_12);
     }
   return assembly.finished();

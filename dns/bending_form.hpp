@@ -14,18 +14,38 @@
 /// natural condition.
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <vector>
 
 #include "dns/flag_mesh.hpp"
 
 namespace pennon::dns {
+
+/// A vector that depends linearly on the positions: the sum of weight x_node, and a constant.
+struct LinearVector {
+  struct Term {
+    int node;
+    double weight;
+  };
+  std::vector<Term> terms;
+  Eigen::Vector3d constant = Eigen::Vector3d::Zero();
+};
 
 /// E_b = 1/2 sum_pq stiffness_pq x_p.x_q + sum_p load_p.x_p + constant; the components are (x, y,
 /// z).
 struct BendingForm {
   Eigen::SparseMatrix<double> stiffness;  ///< nodes x nodes, symmetric
   Eigen::Matrix3Xd load;                  ///< 3 x nodes; of held slopes and of the period
-  double constant = 0;
+
+  /// The same energy as a sum of weight a.b over curvatures, which does not cancel: for its value.
+  struct Product {
+    double weight;
+    LinearVector a, b;
+  };
+  std::vector<Product> products;
+  /// `x`: 3 x nodes.
+  double energy(const Eigen::Matrix3Xd& x) const;
 };
 
 /// K_B >= 0 in rho_f V^2 L^3; in two dimensions nu_s does not enter.

@@ -80,9 +80,9 @@ FlagEnergies Flag<dim>::energies(const NodeVectors<dim>& x, const NodeVectors<di
   FlagEnergies energies;
   energies.kinetic = 0.5 * v.colwise().squaredNorm().dot(mass_);
   if (material_.K_B > 0) {
-    const NodeVectors<dim> pull = x * bending_.stiffness;
-    energies.bending =
-        0.5 * x.cwiseProduct(pull).sum() + x.cwiseProduct(bending_load_).sum() + bending_.constant;
+    Eigen::Matrix3Xd positions = Eigen::Matrix3Xd::Zero(3, x.cols());
+    positions.bottomRows<dim>() = x;
+    energies.bending = bending_.energy(positions);
   }
   const auto stretch = stretch_.energy(x);
   energies.stretch_2d = stretch.two_d;

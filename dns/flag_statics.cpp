@@ -19,31 +19,80 @@ FlagLoads<dim> scaled(const FlagLoads<dim>& loads, double share) {
   return part;
 }
 
-// Newton's method. False where it does not converge.
+// Changes below this are left to Newton's method: they differ in energy by less than its rounding.
+constexpr double newton_alone = 1e-6;
+
+// Minimises the potential energy (that of the flag less the work of the loads, a follower pressure
+// frozen at each iterate) by Newton's method. A change that would raise it is repeated with a
+// multiple of the mass added to the tangent, ten times as much each time until it lowers it, and
+// less again afterwards: from Newton's method to steepest descent and back (Levenberg and
+// Marquardt). So it finds stable equilibria, also beyond a bifurcation. False where it does not
+// converge.
 template <int dim>
-bool converge(const Flag<dim>& flag, const FlagLoads<dim>& loads, NodeVectors<dim>& x,
-              TangentMatrix<dim>& tangent, const EquilibriumSettings& settings, int& iterations) {
-  const auto forces_at = [&](const NodeVectors<dim>& here) {
-    NodeVectors<dim> forces = flag.forces({here, here}, loads);
-    for (int node = 0; node < flag.mesh().nodes(); ++node)
-      if (flag.is_held()[static_cast<std::size_t>(node)]) forces.col(node).setZero();
-    return forces;
-  };
-  NodeVectors<dim> forces = forces_at(x);
-  for (int i = 0; i < settings.most_iterations; ++i, ++iterations) {
-    tangent.set_zero();
-    flag.add_tangent({x, x}, loads, 0, tangent);
-    if (!tangent.factor()) return false;
-    NodeVectors<dim> change = forces;
-    tangent.solve(change);
-    const double largest = change.cwiseAbs().maxCoeff();
-    if (!std::isfinite(largest) || largest > 1e3) return false;
-    x += change;
-    forces = forces_at(x);
-    if (largest <= settings.tolerance) return true;
+class Descent {
+ public:
+  Descent(const Flag<dim>& flag, const FlagLoads<dim>& loads, TangentMatrix<dim>& tangent)
+      : flag_(flag),
+        loads_(loads),
+        tangent_(tangent),
+        still_(NodeVectors<dim>::Zero(dim, flag.mesh().nodes())) {}
+
+  bool converge(NodeVectors<dim>& x, const EquilibriumSettings& settings, int& iterations) {
+    double added_mass = 0;
+    for (int i = 0; i < settings.most_iterations; ++i) {
+      ++iterations;
+      const NodeVectors<dim> forces = forces_at(x);
+      NodeVectors<dim> change = forces;
+      tangent_.set_zero();
+      flag_.add_tangent({x, x}, loads_, added_mass, tangent_);
+      const bool is_regular = tangent_.factor();
+      if (is_regular) tangent_.solve(change);
+      const double largest = change.cwiseAbs().maxCoeff();
+      if (is_regular && std::isfinite(largest)) {
+        const bool is_last = added_mass == 0 && largest <= settings.tolerance;
+        const bool is_near = added_mass == 0 && largest <= newton_alone;
+        if (is_near || lowers_energy(x, change)) {
+          x += change;
+          if (is_last) return true;
+          added_mass = added_mass > least_mass(forces, change) ? added_mass / 10 : 0;
+          continue;
+        }
+      }
+      added_mass = std::max(10 * added_mass, is_regular && std::isfinite(largest) && largest > 0
+                                                 ? least_mass(forces, change)
+                                                 : 1.0);
+      if (!std::isfinite(added_mass)) return false;
+    }
+    return false;
   }
-  return false;
-}
+
+ private:
+  NodeVectors<dim> forces_at(const NodeVectors<dim>& x) const {
+    NodeVectors<dim> forces = flag_.forces({x, x}, loads_);
+    for (int node = 0; node < flag_.mesh().nodes(); ++node)
+      if (flag_.is_held()[static_cast<std::size_t>(node)]) forces.col(node).setZero();
+    return forces;
+  }
+
+  bool lowers_energy(const NodeVectors<dim>& x, const NodeVectors<dim>& change) const {
+    const double before = flag_.energies(x, still_, loads_).total();
+    const double after = flag_.energies(x + change, still_, loads_).total();
+    const double work = flag_.load_forces({x, x}, loads_).cwiseProduct(change).sum();
+    const double rounding = 1e-14 * (std::abs(before) + std::abs(after) + std::abs(work));
+    return after - work <= before + rounding;
+  }
+
+  // The mass factor that matters beside the tangent for this change.
+  double least_mass(const NodeVectors<dim>& forces, const NodeVectors<dim>& change) const {
+    const double inertia = change.colwise().squaredNorm().dot(flag_.mass());
+    return 0.01 * std::abs(forces.cwiseProduct(change).sum()) / inertia;
+  }
+
+  const Flag<dim>& flag_;
+  const FlagLoads<dim>& loads_;
+  TangentMatrix<dim>& tangent_;
+  NodeVectors<dim> still_;
+};
 
 }  // namespace
 
@@ -58,7 +107,8 @@ EquilibriumSummary find_equilibrium(const Flag<dim>& flag, const FlagLoads<dim>&
     rise = std::min(rise, 1 - reached);
     const double share = reached + rise;
     NodeVectors<dim> trial = x;
-    if (converge(flag, scaled(loads, share), trial, *tangent, settings, summary.iterations)) {
+    const FlagLoads<dim> part = scaled(loads, share);
+    if (Descent<dim>(flag, part, *tangent).converge(trial, settings, summary.iterations)) {
       x = std::move(trial);
       reached = share;
       ++summary.load_steps;
@@ -67,11 +117,10 @@ EquilibriumSummary find_equilibrium(const Flag<dim>& flag, const FlagLoads<dim>&
     }
     rise /= 4;
     if (rise < settings.least_share)
-      throw SolverError(
-          fmt::format("no equilibrium of the flag was found beyond {:.4g} of the loads: "
-                      "Newton's method fails even for a rise by {:.1e} of them; the flag "
-                      "may buckle there, or have no stiffness against them",
-                      reached, settings.least_share));
+      throw SolverError(fmt::format(
+          "no equilibrium of the flag was found beyond {:.4g} of the loads: the search fails "
+          "even for a rise by {:.1e} of them; the flag may have no stiffness against them",
+          reached, settings.least_share));
   }
   return summary;
 }

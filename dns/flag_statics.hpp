@@ -7,9 +7,10 @@
 namespace pennon::dns {
 
 struct EquilibriumSettings {
-  double tolerance = 1e-11;   ///< of the last change of any position, in L
-  int most_iterations = 40;   ///< at one load
-  double first_share = 1;     ///< of the loads, tried first
+  double tolerance = 1e-11;  ///< of the last change of any position, in L
+  int most_iterations =
+      1000;                ///< at one load; many where a slender flag slides along a curved valley
+  double first_share = 1;  ///< of the loads, tried first
   double least_share = 1e-6;  ///< smallest rise of the loads before it gives up
 };
 

@@ -25,7 +25,13 @@ struct FlagStep {
   const NodeVectors<dim>& start;
   const NodeVectors<dim>& end;
   Pairing pairing = Pairing::end;
-  double dt = 0;  ///< the damping's strain rate is (strain at end - at start)/dt; 0: none, statics
+  /// For the damping. With Pairing::discrete_gradient the strain rate is that over the step,
+  /// (strain at end - strain at start)/dt; 0: no damping.
+  double dt = 0;
+  /// With Pairing::end it is that of the velocity at the end, which follows the end position by
+  /// d(velocity)/d(end) = velocity_factor; null: no damping.
+  const NodeVectors<dim>* velocity = nullptr;
+  double velocity_factor = 0;
 
   /// How fast the means follow the end: d(mean)/d(end).
   double share_of_end() const { return pairing == Pairing::end ? 1.0 : 0.5; }

@@ -24,7 +24,9 @@ struct FlagStepper<dim>::Equation {
   Pairing pairing;
   double dt;
 
-  FlagStep<dim> step(const NodeVectors<dim>& end) const { return {start, end, pairing, dt}; }
+  NodeVectors<dim> velocity(const NodeVectors<dim>& end) const {
+    return velocity_factor * end + velocity_rest;
+  }
 };
 
 template <int dim>
@@ -93,7 +95,9 @@ bool FlagStepper<dim>::solve(const Equation& equation, NodeVectors<dim>& x, Step
   bool must_factor = settings_.contraction == 0 || factored_mass_ != equation.mass_factor;
   last_change_ = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
-    const FlagStep<dim> step = equation.step(x);
+    const NodeVectors<dim> v = equation.velocity(x);
+    const FlagStep<dim> step{equation.start, x,  equation.pairing,
+                             equation.dt,    &v, equation.velocity_factor};
     if (must_factor) {
       tangent_->set_zero();
       flag_.add_tangent(step, equation.loads, equation.mass_factor, *tangent_);
@@ -130,10 +134,10 @@ bool FlagStepper<dim>::try_advance(FlagState<dim>& state, const LoadsAt& loads, 
   for (int node = 0; node < flag_.mesh().nodes(); ++node)
     if (flag_.is_held()[static_cast<std::size_t>(node)]) x.col(node) = state.x.col(node);
   if (!solve(equation, x, summary)) return false;
-  const FlagStep<dim> step = equation.step(x);
-  state.dissipated += flag_.stretch().dissipated(step);
-  state.work += flag_.load_forces(step, equation.loads).cwiseProduct(x - state.x).sum();
-  NodeVectors<dim> v = equation.velocity_factor * x + equation.velocity_rest;
+  state.dissipated += flag_.stretch().dissipated(state.x, x, dt);
+  const FlagStep<dim> mean{state.x, x, Pairing::discrete_gradient};
+  state.work += flag_.load_forces(mean, equation.loads).cwiseProduct(x - state.x).sum();
+  NodeVectors<dim> v = equation.velocity(x);
   state.previous_x = std::move(state.x);
   state.previous_v = std::move(state.v);
   state.previous_dt = dt;

@@ -68,15 +68,31 @@ template <int dim>
 auto Stretch<dim>::state(const FlagStep<dim>& step, const Segment& s) const -> State {
   const Vector d_end = difference(step.end, s);
   const double length_end = d_end.norm();
-  const bool needs_start =
-      step.pairing == Pairing::discrete_gradient || (damping_ > 0 && step.dt > 0);
-  const Vector d_start = needs_start ? difference(step.start, s) : d_end;
-  const double length_start = needs_start ? d_start.norm() : length_end;
-  const bool is_mean = step.pairing == Pairing::discrete_gradient;
-  const Vector d = is_mean ? Vector((d_start + d_end) / 2) : d_end;
-  const double length = is_mean ? (length_start + length_end) / 2 : length_end;
-  return {d / length, d_end / length_end, (length - s.h) / s.h, length / s.h,
-          (length_end - length_start) / s.h};
+  Vector d = d_end;
+  double length = length_end;
+  if (step.pairing == Pairing::discrete_gradient) {
+    const Vector d_start = difference(step.start, s);
+    d = (d_start + d_end) / 2;
+    length = (d_start.norm() + length_end) / 2;
+  }
+  State state{d / length, d_end / length_end, (length - s.h) / s.h, length / s.h,
+              0,          Vector::Zero()};
+  if (damping_ > 0) add_rate(step, s, state);
+  return state;
+}
+
+template <int dim>
+void Stretch<dim>::add_rate(const FlagStep<dim>& step, const Segment& s, State& state) const {
+  if (step.pairing == Pairing::discrete_gradient && step.dt > 0) {
+    state.strain_rate = (strain(step.end, s) - strain(step.start, s)) / step.dt;
+    state.rate_by_end = state.at_end / step.dt;
+  } else if (step.pairing == Pairing::end && step.velocity != nullptr) {
+    const Vector relative = step.velocity->col(s.to) - step.velocity->col(s.from);
+    const double along = state.at_end.dot(relative);
+    state.strain_rate = along / s.h;
+    state.rate_by_end = step.velocity_factor * state.at_end +
+                        (relative - along * state.at_end) / (s.h * state.relative_length);
+  }
 }
 
 template <int dim>
@@ -107,9 +123,7 @@ void Stretch<dim>::evaluate(const FlagStep<dim>& step) const {
   for (std::size_t n = 0; n < segments_.size(); ++n) {
     const Segment& s = segments_[n];
     states_[n] = state(step, s);
-    double strain = states_[n].strain;
-    if (damping_ > 0 && step.dt > 0) strain += damping_ / step.dt * states_[n].strain_change;
-    tensions_[n] = K_S_ * s.area * strain;
+    tensions_[n] = K_S_ * s.area * (states_[n].strain + damping_ * states_[n].strain_rate);
   }
   for (const Cell& cell : cells_) {
     const auto strain = [&](std::size_t k) {
@@ -168,14 +182,15 @@ template <int dim>
 void Stretch<dim>::add_tangent(const FlagStep<dim>& step, TangentMatrix<dim>& tangent) const {
   evaluate(step);
   const double share = step.share_of_end();
-  const double damping = damping_ > 0 && step.dt > 0 ? damping_ / step.dt : 0;
   for (std::size_t n = 0; n < segments_.size(); ++n) {
     const Segment& s = segments_[n];
     const State& state = states_[n];
     const Block outer = state.direction * state.at_end.transpose();
-    const double stiffness = K_S_ * s.area * (share + damping) / (s.h * s.h);
-    const double geometric = share * tensions_[n] / (s.h * s.h * state.relative_length);
-    const Block block = stiffness * outer + geometric * (Block::Identity() - outer);
+    const double stiffness = K_S_ * s.area / (s.h * s.h);
+    const double geometric = tensions_[n] / (s.h * s.h * state.relative_length);
+    Block block = share * (stiffness * outer + geometric * (Block::Identity() - outer));
+    if (damping_ > 0)
+      block += stiffness * damping_ * state.direction * state.rate_by_end.transpose();
     tangent.add(s.from, s.from, block);
     tangent.add(s.to, s.to, block);
     tangent.add(s.from, s.to, -block);
@@ -220,12 +235,13 @@ void Stretch<dim>::add_tangent(const FlagStep<dim>& step, TangentMatrix<dim>& ta
 }
 
 template <int dim>
-double Stretch<dim>::dissipated(const FlagStep<dim>& step) const {
-  if (damping_ == 0 || step.dt == 0) return 0;
+double Stretch<dim>::dissipated(const NodeVectors<dim>& start, const NodeVectors<dim>& end,
+                                double dt) const {
+  if (damping_ == 0) return 0;
   double sum = 0;
   for (const Segment& s : segments_) {
-    const double change = strain(step.end, s) - strain(step.start, s);
-    sum += K_S_ * damping_ * s.area * change * change / step.dt;
+    const double change = strain(end, s) - strain(start, s);
+    sum += K_S_ * damping_ * s.area * change * change / dt;
   }
   return sum;
 }

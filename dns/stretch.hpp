@@ -36,8 +36,9 @@ class Stretch {
   void add_forces(const FlagStep<dim>&, NodeVectors<dim>& forces) const;
   /// Adds the derivative of minus these forces by step.end.
   void add_tangent(const FlagStep<dim>&, TangentMatrix<dim>&) const;
-  /// The energy that the damping takes in the step, >= 0.
-  double dissipated(const FlagStep<dim>&) const;
+  /// The energy that the damping takes in a step, >= 0: exactly so with the discrete gradient, to
+  /// second order otherwise.
+  double dissipated(const NodeVectors<dim>& start, const NodeVectors<dim>& end, double dt) const;
 
   /// The least and greatest strain of all segments.
   std::pair<double, double> strain_range(const NodeVectors<dim>& x) const;
@@ -64,10 +65,12 @@ class Stretch {
     Vector at_end;           // the same at the end: a unit vector
     double strain;           // that the tension answers
     double relative_length;  // mean length over h
-    double strain_change;    // end minus start
+    double strain_rate;      // that the damping answers
+    Vector rate_by_end;      // d(strain rate)/d(to), h times
   };
 
   State state(const FlagStep<dim>&, const Segment&) const;
+  void add_rate(const FlagStep<dim>&, const Segment&, State&) const;
   Vector difference(const NodeVectors<dim>& x, const Segment&) const;
   double strain(const NodeVectors<dim>& x, const Segment&) const;
   Vector mean_slope(const FlagStep<dim>&, const Cell&, int first, int second, bool at_end) const;

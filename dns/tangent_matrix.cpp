@@ -63,7 +63,8 @@ class TangentMatrix<dim>::Band {
 template <int dim>
 class TangentMatrix<dim>::Sparse {
  public:
-  Sparse(int nodes, std::vector<std::pair<int, int>> coupled) : order_(dim * nodes) {
+  Sparse(int nodes, const std::vector<std::pair<int, int>>& pairs) : order_(dim * nodes) {
+    std::vector<std::pair<int, int>> coupled = pairs;
     std::ranges::sort(coupled, {},
                       [](const auto& pair) { return std::pair(pair.second, pair.first); });
     first_.assign(static_cast<std::size_t>(nodes) + 1, 0);
@@ -83,8 +84,8 @@ class TangentMatrix<dim>::Sparse {
     solution_.resize(order_);
     umfpack_di_defaults(control_);
     control_[UMFPACK_IRSTEP] = 0;  // Newton's method refines by itself
-    umfpack_di_symbolic(order_, order_, columns_.data(), row_indices_.data(), values_.data(),
-                        &symbolic_, control_, nullptr);
+    umfpack_di_symbolic(order_, order_, columns_.data(), row_indices_.data(), nullptr, &symbolic_,
+                        control_, nullptr);
   }
   ~Sparse() {
     umfpack_di_free_symbolic(&symbolic_);
@@ -99,9 +100,9 @@ class TangentMatrix<dim>::Sparse {
     const auto end = rows_.begin() + first(q + 1);
     const auto found = std::lower_bound(begin, end, p);
     assert(found != end && *found == p);
-    const auto rank = static_cast<int>(found - begin);
-    return &values_[static_cast<std::size_t>(columns_[static_cast<std::size_t>(dim * q + b)] +
-                                             dim * rank)];
+    const auto first_row = static_cast<std::size_t>(
+        columns_[dim * static_cast<std::size_t>(q) + static_cast<std::size_t>(b)]);
+    return &values_[first_row + dim * static_cast<std::size_t>(found - begin)];
   }
 
   bool factor() {
@@ -144,7 +145,7 @@ TangentMatrix<dim>::TangentMatrix(const std::vector<bool>& is_held,
   }
   const auto nodes = static_cast<int>(free_.size());
   storage_ = std::make_unique<Storage>(nodes, coupled_);
-  unknowns_.resize(dim * nodes);
+  unknowns_.resize(Eigen::Index{dim} * nodes);
 }
 
 template <int dim>

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "common/boundary_layer.hpp"
+
 namespace pennon::lsa {
 
 struct Point {
@@ -27,15 +29,12 @@ enum class AddedMass { two_d, wu, lamb, minami };
 /// curves can be drawn; docs/theory/local-stability.md derives the consistent forms.
 enum class Form { consistent, as_printed };
 
-/// The drag of both sides of a Blasius boundary layer, 2 x 0.664, as the paper rounds it (1.3).
-inline constexpr double blasius_tension = 1.3;
-
 struct Model {
   AddedMass added_mass = AddedMass::wu;
   Form form = Form::consistent;
   bool bending = false;     ///< adds K_B (k_x^2 + k_y^2)^2 to the restoring force
   bool cross_flow = false;  ///< travelling wave in a stream with the spanwise component U
-  double tension_coefficient = blasius_tension;
+  double tension_coefficient = friction_of_both_faces;
   std::optional<double> tension_at;  ///< y in [0, 1]; none: where the tension is largest
 };
 

@@ -101,6 +101,7 @@ void check_order(const std::string& table, Axis axis, const Sweep& sweep, Faults
 
 std::string axes_text(const std::vector<Axis>& axes) {
   std::vector<std::string> names;
+  names.reserve(axes.size());
   for (const Axis axis : axes) names.push_back(name(axis));
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
@@ -270,8 +271,9 @@ std::vector<Axis> varying(const Sweeps& sweeps) {
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < axis_count; ++i)
     if (sweeps[i]) axes.push_back(static_cast<Axis>(i));
-  std::ranges::stable_partition(
-      axes, [&](Axis axis) { return sweeps[static_cast<std::size_t>(axis)]->list.empty(); });
+  std::stable_partition(axes.begin(), axes.end(), [&](Axis axis) {
+    return sweeps[static_cast<std::size_t>(axis)]->list.empty();
+  });
   return axes;
 }
 

@@ -36,8 +36,7 @@ Verdicts compare(const std::vector<Outcome>& outcomes, const Point& point, const
       borders.push_back(root);
   }
   std::ranges::sort(borders);
-  const auto repeated = std::ranges::unique(borders);
-  borders.erase(repeated.begin(), repeated.end());
+  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
 
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {  // no verdict changes between borders
     const double middle = (borders[i] + borders[i + 1]) / 2;

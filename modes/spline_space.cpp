@@ -13,7 +13,7 @@ using Spline = Eigen::Spline<Extended, 1, SplineSpace::degree>;
 SplineSpace::SplineSpace(std::vector<double> breaks) : breaks_(std::move(breaks)) {
   assert(breaks_.size() >= 2 && breaks_.front() == 0 && breaks_.back() == 1);
   const auto count = static_cast<Eigen::Index>(breaks_.size());
-  knots_.resize(count + 2 * degree);
+  knots_.resize(count + 2 * Eigen::Index{degree});
   knots_.head(degree).setConstant(0);
   knots_.tail(degree).setConstant(1);
   for (Eigen::Index i = 0; i < count; ++i)

@@ -76,6 +76,7 @@ void write_shapes(const Result& result, const std::filesystem::path& file) {
   };
   const auto write_each = [&](const char* name, auto value, const hdf5::Attributes& attributes) {
     std::vector<double> values;
+    values.reserve(modes.size());
     for (const NormalMode& mode : modes) values.push_back(static_cast<double>(value(mode)));
     writer.write(name, {modes.size()}, values, attributes);
   };

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-namespace pennon::modes {
+#include "common/boundary_layer.hpp"
 
-/// 1.3 is 2 x 0.664, the Blasius friction of both faces (Banerjee, Connell & Yue 2015, section 4).
-inline constexpr double friction_of_both_faces = 1.3;
+namespace pennon::modes {
 
 /// T_0 = 1.3 Re^-1/2, the chordwise tension at the leading edge, scaled by rho_f V^2 L.
 /// Without a stream (Re = 0) there is none.

@@ -34,7 +34,7 @@ struct Exact {
 
 inline Exact solve(const Sample& sample, const Model& model) {
   const Point& p = sample.point;
-  const Real pi = boost::math::constants::pi<Real>();
+  const Real& pi = boost::math::constants::pi<Real>();
   const Real k_x = sample.gamma ? 2 * pi / Real(*sample.gamma) : Real(p.k_x);
   const Real k_y = p.k_y;
   const Real tau = Real(model.tension_coefficient) / sqrt(Real(p.Re));

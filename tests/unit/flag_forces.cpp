@@ -79,12 +79,17 @@ void expect_tangent(const FlagMesh& mesh, Pairing pairing) {
   const NodeVectors<dim> plus = end + difference * along;
   const NodeVectors<dim> minus = end - difference * along;
   const double dt = 0.1;
-  const NodeVectors<dim> by_difference = (flag.forces({start, minus, pairing, dt}, loads) -
-                                          flag.forces({start, plus, pairing, dt}, loads)) /
-                                         (2 * difference);
+  const double factor = 7;  // d(velocity)/d(end)
+  const NodeVectors<dim> rest = noise(flag, 1, 12);
+  const auto forces = [&](const NodeVectors<dim>& at) {
+    const NodeVectors<dim> v = factor * at + rest;
+    return flag.forces({start, at, pairing, dt, &v, factor}, loads);
+  };
+  const NodeVectors<dim> by_difference = (forces(minus) - forces(plus)) / (2 * difference);
+  const NodeVectors<dim> velocity = factor * end + rest;
   const auto tangent = flag.tangent_matrix();
   tangent->set_zero();
-  flag.add_tangent({start, end, pairing, dt}, loads, 0, *tangent);
+  flag.add_tangent({start, end, pairing, dt, &velocity, factor}, loads, 0, *tangent);
   const auto packed = [&](const NodeVectors<dim>& vectors) {
     Eigen::VectorXd unknowns(static_cast<Eigen::Index>(dim * tangent->free_nodes().size()));
     for (std::size_t n = 0; n < tangent->free_nodes().size(); ++n)
