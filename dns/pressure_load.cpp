@@ -1,6 +1,7 @@
 #include "dns/pressure_load.hpp"
 
 #include <Eigen/Geometry>
+#include <utility>
 
 namespace pennon::dns {
 namespace {
@@ -13,6 +14,14 @@ NodeVectors<dim> paired(const FlagStep<dim>& step) {
 
 Eigen::Vector2d turned(const Eigen::Vector2d& d) {
   return {-d[1], d[0]};
+}
+
+// Of a cell: from 00 to 11 and from 10 to 01; `period` lies between 0x and 1x.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> diagonals(const NodeVectors<3>& x,
+                                                      const std::array<int, 4>& nodes,
+                                                      double period) {
+  const Eigen::Vector3d shift = period * Eigen::Vector3d::UnitX();
+  return {x.col(nodes[3]) - x.col(nodes[0]) + shift, x.col(nodes[1]) - x.col(nodes[2]) - shift};
 }
 
 // a x b as a matrix acting on b.
@@ -51,12 +60,7 @@ void PressureLoad<dim>::add_forces(const FlagStep<dim>& step, const Eigen::Vecto
     if constexpr (dim == 2) {
       area = turned(x.col(nodes[1]) - x.col(nodes[0]));
     } else {
-      Vector d_1 = x.col(nodes[3]) - x.col(nodes[0]);
-      Vector d_2 = x.col(nodes[1]) - x.col(nodes[2]);
-      if (crosses_seam) {
-        d_1[0] += span_;
-        d_2[0] -= span_;
-      }
+      const auto [d_1, d_2] = diagonals(x, nodes, crosses_seam ? span_ : 0.0);
       area = d_1.cross(d_2) / 2;
     }
     const Vector share = p[static_cast<Eigen::Index>(n)] / static_cast<double>(corners) * area;
@@ -78,12 +82,7 @@ void PressureLoad<dim>::add_tangent(const FlagStep<dim>& step, const Eigen::Vect
       by[1] << 0, -1, 1, 0;
       by[0] = -by[1];
     } else {
-      Vector d_1 = x.col(nodes[3]) - x.col(nodes[0]);
-      Vector d_2 = x.col(nodes[1]) - x.col(nodes[2]);
-      if (crosses_seam) {
-        d_1[0] += span_;
-        d_2[0] -= span_;
-      }
+      const auto [d_1, d_2] = diagonals(x, nodes, crosses_seam ? span_ : 0.0);
       by[3] = -cross_matrix(d_2) / 2;
       by[0] = -by[3];
       by[1] = cross_matrix(d_1) / 2;

@@ -168,6 +168,7 @@ TEST(Decomposition, OfFewerSamplesThanAmplitudesIsRefused) {
 TEST(Decomposition, OfSamplesThatCannotTellModesApartIsRefused) {
   const NormalModes family = bessel_modes({{0, 1}, 2}, flag(), flow);
   std::vector<Sample> in_one_line;
+  in_one_line.reserve(50);
   for (int i = 0; i < 50; ++i) in_one_line.push_back({0.5, i / 50.0, 0.1});
   EXPECT_THAT(refusal(family, in_one_line), HasSubstr("wave.csv: the 50 samples determine only"));
 }

@@ -34,7 +34,7 @@ Swing swing(const FlagMaterial& material, double dt, int N = 41) {
   const Flag<2> flag(FlagMesh(uniform_chord(N), pendulum), material);
   FlagStepper<2> stepper(flag, TimeScheme::energy_conserving);
   FlagState<2> state = stepper.start();
-  const FlagLoads<2> loads = weight(0, -1);
+  FlagLoads<2> loads = weight(0, -1);
   Swing result{};
   while (state.t < 0.5) {
     const StepSummary step = stepper.advance(

@@ -65,7 +65,7 @@ struct Chebyshev {
   Matrix<Digits50> y, D;
 
   explicit Chebyshev(int intervals) : y(intervals + 1, 1), D(intervals + 1, intervals + 1) {
-    const Digits50 pi = boost::math::constants::pi<Digits50>();
+    const Digits50& pi = boost::math::constants::pi<Digits50>();
     for (int i = 0; i <= intervals; ++i) y(i) = (1 - cos(pi * i / intervals)) / 2;
     const auto weight = [&](int i) {
       return Digits50(i % 2 == 0 ? 1 : -1) / (i == 0 || i == intervals ? 2 : 1);
