@@ -1,5 +1,5 @@
 pennon_test(test_flag LABEL unit SOURCES unit/flag_forces.cpp LINK pennon::dns)
 pennon_test(test_flag_validation LABEL verification
             SOURCES verification/flag_plates.cpp verification/flag_lines.cpp
-                    verification/flag_extremes.cpp
+                    verification/flag_extremes.cpp verification/flag_in_vacuo.cpp
             LINK pennon::dns pennon::modes)

@@ -62,6 +62,26 @@ LinearModes linear_modes(const Flag<dim>& flag, const NodeVectors<dim>& x,
   return {solver.eigenvalues().cwiseMax(0).cwiseSqrt(), scale.asDiagonal() * solver.eigenvectors()};
 }
 
+/// The same of a flat flag across itself, which its motion in the plane does not touch: shapes over
+/// the free nodes.
+template <int dim>
+LinearModes transverse_modes(const Flag<dim>& flag, const NodeVectors<dim>& x,
+                             const FlagLoads<dim>& loads) {
+  const auto tangent = flag.tangent_matrix();
+  tangent->set_zero();
+  flag.add_tangent({x, x}, loads, 0, *tangent);
+  const Eigen::MatrixXd all = tangent->matrix();
+  const auto nodes = static_cast<Eigen::Index>(tangent->free_nodes().size());
+  const auto across = Eigen::seqN(dim - 1, nodes, Eigen::fix<dim>);
+  Eigen::VectorXd scale(nodes);
+  for (Eigen::Index n = 0; n < nodes; ++n)
+    scale[n] = 1 / std::sqrt(flag.mass()[tangent->free_nodes()[static_cast<std::size_t>(n)]]);
+  const Eigen::MatrixXd stiffness = all(across, across);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * stiffness *
+                                                              scale.asDiagonal());
+  return {solver.eigenvalues().cwiseMax(0).cwiseSqrt(), scale.asDiagonal() * solver.eigenvectors()};
+}
+
 /// Order of convergence from errors on two grids whose spacing differs by `ratio` > 1.
 inline double order(double coarse_error, double fine_error, double ratio) {
   return std::log(std::abs(coarse_error / fine_error)) / std::log(ratio);
