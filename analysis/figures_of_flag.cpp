@@ -1,5 +1,7 @@
 #include "analysis/figures_of_flag.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,6 +63,28 @@ Figure figure_of_flag_history(const hdf5::Reader& file) {
     figure.lines.push_back({times, std::move(energy), one.label, one.stroke, is_total ? 0 : color++,
                             is_total ? 2.0 : 1.5});
   }
+  return figure;
+}
+
+Figure figure_of_flag_convergence(const hdf5::Reader& file) {
+  Figure figure;
+  figure.x = {"1/({/:Italic N} − 1)", true, {}, {}};
+  figure.y = {"error of the deflection / {/:Italic L}", true, {}, {}};
+  const std::vector<double> h = file.read("/h").values;
+  const std::vector<double> error = file.read("/error").values;
+  const double order = file.number("/", "order", 0);
+  figure.marks.push_back({h, error, "flag", Marker::circle, true, 1});
+  // The fitted power through the geometric middle of the points.
+  double log_h = 0;
+  double log_error = 0;
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    log_h += std::log(h[k]) / static_cast<double>(h.size());
+    log_error += std::log(error[k]) / static_cast<double>(h.size());
+  }
+  Line fit{h, {}, fmt::format("power {:.2f}", order), Stroke::dashed, 0, 1.5};
+  for (const double spacing : h)
+    fit.y.push_back(std::exp(log_error + order * (std::log(spacing) - log_h)));
+  figure.lines.push_back(std::move(fit));
   return figure;
 }
 

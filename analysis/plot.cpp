@@ -19,6 +19,7 @@ Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
   if (kind == "lsa_verdicts") return figure_of_verdicts(file);
   if (kind == "normal_modes") return figure_of_normal_modes(file);
   if (kind == "flag_history") return figure_of_flag_history(file);
+  if (kind == "flag_convergence") return figure_of_flag_convergence(file);
   if (kind == "flag_shapes") return figure_of_flag_shapes(file);
   throw InputError(path.string(),
                    kind.empty() ? "is not a file that pennon wrote: it has no attribute `kind`"

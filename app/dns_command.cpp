@@ -3,6 +3,7 @@
 #include "analysis/plot.hpp"
 #include "app/commands.hpp"
 #include "common/errors.hpp"
+#include "dns/flag_convergence.hpp"
 #include "dns/flag_run.hpp"
 #include "modes/initial_shape.hpp"
 
@@ -29,6 +30,22 @@ std::string text_of(const dns::RunResult& result) {
   return text;
 }
 
+Answer run_convergence(const Case& the_case, const OutputFolder& folder, Record& record,
+                       const Options& options) {
+  const auto timer = record.time("dns");
+  const dns::Convergence found =
+      dns::run_convergence(the_case.dns, the_case.flag, folder, !options.quiet);
+  analysis::plot(folder / "convergence.h5");
+  std::string text = fmt::format("{}: equilibria on {} grids\n     n     deflection\n",
+                                 the_case.name, found.n.size());
+  for (std::size_t k = 0; k < found.n.size(); ++k)
+    text += fmt::format("  {:4} {:14.8g}\n", found.n[k], found.deflection[k]);
+  text +=
+      fmt::format("  {} {:.8g}; the error falls with the power {:.2f} of the spacing\n",
+                  found.is_limit_given ? "reference" : "extrapolated", found.limit, found.order);
+  return {{{"convergence", to_json(found)}}, text};
+}
+
 }  // namespace
 
 void run_dns(const Options& options, const std::string& restart) {
@@ -39,7 +56,10 @@ void run_dns(const Options& options, const std::string& restart) {
           "has [flow], but only a flag by itself can be simulated so far; leave [flow] out");
     the_case.dns.is_given = true;
   };
-  const auto work = [&](const Case& the_case, const OutputFolder& folder, Record& record) {
+  const auto work = [&](const Case& the_case, const OutputFolder& folder,
+                        Record& record) -> Answer {
+    if (the_case.dns.convergence.is_given)
+      return run_convergence(the_case, folder, record, options);
     std::optional<std::filesystem::path> checkpoint;
     if (!restart.empty()) checkpoint = restart;
     const dns::RunResult result = [&] {

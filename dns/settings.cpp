@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace pennon::dns {
@@ -59,6 +61,13 @@ void declare(Schema& schema, Settings& settings) {
       .key({"probe_x", &settings.output.probe_x,
             "x at rest of the place whose motion is kept; the nearest node is taken", not_negative})
       .key({"probe_y", &settings.output.probe_y, "y at rest of that place", Range{0, 1}});
+  schema
+      .table("dns.convergence",
+             "The equilibrium on several grids, n x n nodes: the error of the probe's z.",
+             &settings.convergence.is_given)
+      .key({"n", &settings.convergence.n, "nodes along each side, for each grid", node_count, true})
+      .key({"reference", &settings.convergence.reference, "exact z of the probe, in L", any_sign,
+            false, "extrapolated from the last two grids"});
 }
 
 void check(const Settings& settings, const FlagParameters& flag, Faults& faults) {
@@ -89,6 +98,14 @@ void check(const Settings& settings, const FlagParameters& flag, Faults& faults)
   }
   if (settings.initial.angle != 0 && (!settings.initial.A.empty() || !settings.initial.B.empty()))
     about("initial.angle", "contradicts dns.initial.A or B: the flag starts straight or as (5.1)");
+  if (settings.convergence.is_given) {
+    if (!settings.flag.equilibrium)
+      about("convergence", "compares equilibria; dns.flag.equilibrium = true is missing");
+    if (settings.convergence.n.size() < 2 ||
+        std::ranges::adjacent_find(settings.convergence.n, std::greater_equal<>()) !=
+            settings.convergence.n.end())
+      about("convergence.n", "must list at least two numbers of nodes in increasing order");
+  }
   if (settings.flag.equilibrium && flag.K_B == 0)
     about("flag.equilibrium",
           "= true needs bending: without flag.K_B a slack flag has no stiffness across; let it "

@@ -1,9 +1,10 @@
 /// What a case asks of the direct simulation: the tables [dns], [dns.flag], [dns.loads],
-/// [dns.initial] and [dns.output].
+/// [dns.initial], [dns.output] and [dns.convergence].
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,12 @@ struct InitialSettings {
   double angle = 0;          ///< of the straight flag about its leading edge, radians
 };
 
+struct ConvergenceSettings {
+  bool is_given = false;
+  std::vector<std::int64_t> n;      ///< nodes along each side
+  std::optional<double> reference;  ///< exact z of the probe
+};
+
 struct OutputSettings {
   double history_interval = 0;      ///< 0: every step
   double shape_interval = 0;        ///< 0: none
@@ -58,6 +65,7 @@ struct Settings {
   LoadSettings loads;
   InitialSettings initial;
   OutputSettings output;
+  ConvergenceSettings convergence;
 };
 
 void declare(Schema&, Settings&);
