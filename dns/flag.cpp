@@ -92,24 +92,44 @@ FlagEnergies Flag<dim>::energies(const NodeVectors<dim>& x, const NodeVectors<di
 }
 
 template <int dim>
-NodeVectors<dim> Flag<dim>::load_forces(const FlagStep<dim>& step,
-                                        const FlagLoads<dim>& loads) const {
-  NodeVectors<dim> forces = NodeVectors<dim>::Zero(dim, mesh_.nodes());
+void Flag<dim>::evaluate_load_forces(const FlagStep<dim>& step, const FlagLoads<dim>& loads,
+                                     NodeVectors<dim>& forces) const {
+  forces.setZero(dim, mesh_.nodes());
   if (loads.pressure.size() > 0) pressure_.add_forces(step, loads.pressure, forces);
   if (loads.node_forces.size() > 0) forces += loads.node_forces;
-  return forces;
+}
+
+template <int dim>
+void Flag<dim>::evaluate_forces(const FlagStep<dim>& step, const FlagLoads<dim>& loads,
+                                NodeVectors<dim>& forces) const {
+  evaluate_load_forces(step, loads, forces);
+  stretch_.add_forces(step, forces);
+  if (material_.K_B > 0) {
+    const double share = step.share_of_end();
+    forces -= bending_load_;
+    for (int q = 0; q < bending_.stiffness.outerSize(); ++q)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(bending_.stiffness, q); entry; ++entry)
+        forces.col(q) -= entry.value() * (share * step.end.col(entry.row()) +
+                                          (1 - share) * step.start.col(entry.row()));
+  }
+  if (!loads.gravity.isZero(0))
+    for (int node = 0; node < mesh_.nodes(); ++node)
+      forces.col(node) += mass_[node] * loads.gravity;
+}
+
+template <int dim>
+NodeVectors<dim> Flag<dim>::load_forces(const FlagStep<dim>& step,
+                                        const FlagLoads<dim>& loads) const {
+  NodeVectors<dim> result;
+  evaluate_load_forces(step, loads, result);
+  return result;
 }
 
 template <int dim>
 NodeVectors<dim> Flag<dim>::forces(const FlagStep<dim>& step, const FlagLoads<dim>& loads) const {
-  NodeVectors<dim> forces = load_forces(step, loads);
-  stretch_.add_forces(step, forces);
-  if (material_.K_B > 0) {
-    const double share = step.share_of_end();
-    forces -= bending_load_ + (share * step.end + (1 - share) * step.start) * bending_.stiffness;
-  }
-  if (!loads.gravity.isZero(0)) forces += loads.gravity * mass_.transpose();
-  return forces;
+  NodeVectors<dim> result;
+  evaluate_forces(step, loads, result);
+  return result;
 }
 
 template <int dim>

@@ -69,8 +69,12 @@ class Flag {
   /// Internal forces and loads over a step, held nodes included (there it is what the support
   /// bears).
   NodeVectors<dim> forces(const FlagStep<dim>&, const FlagLoads<dim>&) const;
+  /// The same into `forces`, dim x nodes, without allocating.
+  void evaluate_forces(const FlagStep<dim>&, const FlagLoads<dim>&, NodeVectors<dim>& forces) const;
   /// The loads alone, gravity left out: what does work on the flag.
   NodeVectors<dim> load_forces(const FlagStep<dim>&, const FlagLoads<dim>&) const;
+  void evaluate_load_forces(const FlagStep<dim>&, const FlagLoads<dim>&,
+                            NodeVectors<dim>& forces) const;
   /// Adds the derivative of minus these forces by step.end, and mass_factor times the mass.
   void add_tangent(const FlagStep<dim>&, const FlagLoads<dim>&, double mass_factor,
                    TangentMatrix<dim>&) const;

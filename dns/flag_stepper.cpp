@@ -10,25 +10,6 @@
 
 namespace pennon::dns {
 
-// A step as an equation for the end position x: mass_factor M (x - inertial) = F(start, x), after
-// which v = velocity_factor x + velocity_rest.
-template <int dim>
-struct FlagStepper<dim>::Equation {
-  const NodeVectors<dim>& start;
-  NodeVectors<dim> guess;
-  NodeVectors<dim> inertial;
-  double mass_factor;
-  double velocity_factor;
-  NodeVectors<dim> velocity_rest;
-  FlagLoads<dim> loads;
-  Pairing pairing;
-  double dt;
-
-  NodeVectors<dim> velocity(const NodeVectors<dim>& end) const {
-    return velocity_factor * end + velocity_rest;
-  }
-};
-
 template <int dim>
 FlagStepper<dim>::FlagStepper(const Flag<dim>& flag, TimeScheme scheme,
                               const NewtonSettings& settings)
@@ -48,74 +29,75 @@ FlagState<dim> FlagStepper<dim>::start(NodeVectors<dim> x) const {
 }
 
 template <int dim>
-auto FlagStepper<dim>::energy_conserving(const FlagState<dim>& state, const LoadsAt& loads,
-                                         double dt) const -> Equation {
+void FlagStepper<dim>::pose_energy_conserving(const FlagState<dim>& state, const LoadsAt& loads,
+                                              double dt) {
   // v_1 = 2 (x_1 - x_0)/dt - v_0, so M (v_1 - v_0)/dt = 2/dt^2 M (x_1 - x_0 - dt v_0).
-  NodeVectors<dim> drifted = state.x + dt * state.v;
-  return {state.x,
-          drifted,
-          drifted,
-          2 / (dt * dt),
-          2 / dt,
-          -2 / dt * state.x - state.v,
-          loads(state.t + dt / 2),
-          Pairing::discrete_gradient,
-          dt};
+  equation_.inertial = state.x + dt * state.v;
+  equation_.guess = equation_.inertial;
+  equation_.velocity_rest = -2 / dt * state.x - state.v;
+  equation_.mass_factor = 2 / (dt * dt);
+  equation_.velocity_factor = 2 / dt;
+  equation_.loads = loads(state.t + dt / 2);
+  equation_.pairing = Pairing::discrete_gradient;
+  equation_.dt = dt;
 }
 
 template <int dim>
-auto FlagStepper<dim>::backward_difference(const FlagState<dim>& state, const LoadsAt& loads,
-                                           double dt) const -> Equation {
+void FlagStepper<dim>::pose_backward_difference(const FlagState<dim>& state, const LoadsAt& loads,
+                                                double dt) {
   // d/dt of q at the end: now q_1 + before q_0 + earlier q_-1, with r the ratio of this step to the
   // last.
   const double r = dt / state.previous_dt;
   const double now = (1 + 2 * r) / ((1 + r) * dt);
   const double before = -(1 + r) / dt;
   const double earlier = r * r / ((1 + r) * dt);
-  const NodeVectors<dim> velocity_rest = before * state.x + earlier * state.previous_x;
-  const NodeVectors<dim> acceleration_rest =
-      now * velocity_rest + before * state.v + earlier * state.previous_v;
-  return {state.x,
-          state.x + dt * state.v + dt * r / 2 * (state.v - state.previous_v),
-          -acceleration_rest / (now * now),
-          now * now,
-          now,
-          velocity_rest,
-          loads(state.t + dt),
-          Pairing::end,
-          dt};
+  equation_.velocity_rest = before * state.x + earlier * state.previous_x;
+  // The acceleration is now^2 x_1 and the rest below: that rest over -now^2 is where inertia leads.
+  equation_.inertial =
+      -(now * equation_.velocity_rest + before * state.v + earlier * state.previous_v) /
+      (now * now);
+  equation_.guess = state.x + dt * state.v + dt * r / 2 * (state.v - state.previous_v);
+  equation_.mass_factor = now * now;
+  equation_.velocity_factor = now;
+  equation_.loads = loads(state.t + dt);
+  equation_.pairing = Pairing::end;
+  equation_.dt = dt;
 }
 
+// Newton's method from x_; leaves the end position there and its velocity in v_.
 template <int dim>
-bool FlagStepper<dim>::solve(const Equation& equation, NodeVectors<dim>& x, StepSummary& summary) {
-  const auto hold = [&](NodeVectors<dim>& vectors) {
-    for (int node = 0; node < flag_.mesh().nodes(); ++node)
-      if (flag_.is_held()[static_cast<std::size_t>(node)]) vectors.col(node).setZero();
-  };
-  bool must_factor = settings_.contraction == 0 || factored_mass_ != equation.mass_factor;
+bool FlagStepper<dim>::solve(const NodeVectors<dim>& start, StepSummary& summary) {
+  bool must_factor = settings_.contraction == 0 || factored_mass_ != equation_.mass_factor;
   last_change_ = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
-    const NodeVectors<dim> v = equation.velocity(x);
-    const FlagStep<dim> step{equation.start, x,  equation.pairing,
-                             equation.dt,    &v, equation.velocity_factor};
+    v_ = equation_.velocity_factor * x_ + equation_.velocity_rest;
+    const FlagStep<dim> step{start,        x_,  equation_.pairing,
+                             equation_.dt, &v_, equation_.velocity_factor};
     if (must_factor) {
       tangent_->set_zero();
-      flag_.add_tangent(step, equation.loads, equation.mass_factor, *tangent_);
+      flag_.add_tangent(step, equation_.loads, equation_.mass_factor, *tangent_);
       factored_mass_ = 0;
       ++summary.factorisations;
       if (!tangent_->factor()) return false;
-      factored_mass_ = equation.mass_factor;
+      factored_mass_ = equation_.mass_factor;
     }
-    NodeVectors<dim> change = flag_.forces(step, equation.loads) - equation.mass_factor *
-                                                                       (x - equation.inertial) *
-                                                                       flag_.mass().asDiagonal();
-    hold(change);
-    tangent_->solve(change);
-    x += change;
+    flag_.evaluate_forces(step, equation_.loads, change_);
+    for (int node = 0; node < flag_.mesh().nodes(); ++node) {
+      if (flag_.is_held()[static_cast<std::size_t>(node)])
+        change_.col(node).setZero();
+      else
+        change_.col(node) -= equation_.mass_factor * flag_.mass()[node] *
+                             (x_.col(node) - equation_.inertial.col(node));
+    }
+    tangent_->solve(change_);
+    x_ += change_;
     ++summary.iterations;
-    const double largest = change.cwiseAbs().maxCoeff();
+    const double largest = change_.cwiseAbs().maxCoeff();
     if (!std::isfinite(largest)) return false;
-    if (largest <= settings_.tolerance) return true;
+    if (largest <= settings_.tolerance) {
+      v_ = equation_.velocity_factor * x_ + equation_.velocity_rest;
+      return true;
+    }
     must_factor = largest > settings_.contraction * last_change_;
     last_change_ = largest;
   }
@@ -126,23 +108,24 @@ bool FlagStepper<dim>::solve(const Equation& equation, NodeVectors<dim>& x, Step
 template <int dim>
 bool FlagStepper<dim>::try_advance(FlagState<dim>& state, const LoadsAt& loads, double dt,
                                    StepSummary& summary) {
-  const bool has_history = state.previous_dt > 0;
-  const Equation equation = scheme_ == TimeScheme::backward_difference && has_history
-                                ? backward_difference(state, loads, dt)
-                                : energy_conserving(state, loads, dt);
-  NodeVectors<dim> x = equation.guess;
+  if (scheme_ == TimeScheme::backward_difference && state.previous_dt > 0)
+    pose_backward_difference(state, loads, dt);
+  else
+    pose_energy_conserving(state, loads, dt);
+  x_ = equation_.guess;
   for (int node = 0; node < flag_.mesh().nodes(); ++node)
-    if (flag_.is_held()[static_cast<std::size_t>(node)]) x.col(node) = state.x.col(node);
-  if (!solve(equation, x, summary)) return false;
-  state.dissipated += flag_.stretch().dissipated(state.x, x, dt);
-  const FlagStep<dim> mean{state.x, x, Pairing::discrete_gradient};
-  state.work += flag_.load_forces(mean, equation.loads).cwiseProduct(x - state.x).sum();
-  NodeVectors<dim> v = equation.velocity(x);
-  state.previous_x = std::move(state.x);
-  state.previous_v = std::move(state.v);
+    if (flag_.is_held()[static_cast<std::size_t>(node)]) x_.col(node) = state.x.col(node);
+  if (!solve(state.x, summary)) return false;
+  state.dissipated += flag_.stretch().dissipated(state.x, x_, dt);
+  const FlagStep<dim> mean{state.x, x_, Pairing::discrete_gradient};
+  flag_.evaluate_load_forces(mean, equation_.loads, change_);
+  state.work += change_.cwiseProduct(x_ - state.x).sum();
+  // The buffers rotate: the new state, the one before, and work space for the next.
+  state.previous_x.swap(state.x);
+  state.previous_v.swap(state.v);
   state.previous_dt = dt;
-  state.x = std::move(x);
-  state.v = std::move(v);
+  state.x.swap(x_);
+  state.v.swap(v_);
   state.t += dt;
   return true;
 }

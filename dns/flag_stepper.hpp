@@ -66,18 +66,29 @@ class FlagStepper {
   void forget_tangent() { factored_mass_ = 0; }
 
  private:
-  struct Equation;
+  // A step as an equation for the end position x: mass_factor M (x - inertial) = F(start, x), after
+  // which v = velocity_factor x + velocity_rest.
+  struct Equation {
+    NodeVectors<dim> guess, inertial, velocity_rest;
+    double mass_factor = 0;
+    double velocity_factor = 0;
+    FlagLoads<dim> loads;
+    Pairing pairing = Pairing::end;
+    double dt = 0;
+  };
   bool try_advance(FlagState<dim>&, const LoadsAt&, double dt, StepSummary&);
-  bool solve(const Equation&, NodeVectors<dim>& x, StepSummary&);
-  Equation energy_conserving(const FlagState<dim>&, const LoadsAt&, double dt) const;
-  Equation backward_difference(const FlagState<dim>&, const LoadsAt&, double dt) const;
+  bool solve(const NodeVectors<dim>& start, StepSummary&);
+  void pose_energy_conserving(const FlagState<dim>&, const LoadsAt&, double dt);
+  void pose_backward_difference(const FlagState<dim>&, const LoadsAt&, double dt);
 
   const Flag<dim>& flag_;
   TimeScheme scheme_;
   NewtonSettings settings_;
   std::unique_ptr<TangentMatrix<dim>> tangent_;
-  double factored_mass_ = 0;  // the mass factor of the factored tangent; 0: none
-  double last_change_ = 0;    // of the last Newton iteration that failed, for the message
+  Equation equation_;
+  NodeVectors<dim> x_, v_, change_;  // of the step that is being solved
+  double factored_mass_ = 0;         // the mass factor of the factored tangent; 0: none
+  double last_change_ = 0;           // of the last Newton iteration that failed, for the message
 };
 
 }  // namespace pennon::dns

@@ -6,10 +6,11 @@
 namespace pennon::dns {
 namespace {
 
+// Where a node is for the step: at the mean or the end position.
 template <int dim>
-NodeVectors<dim> paired(const FlagStep<dim>& step) {
-  if (step.pairing == Pairing::end) return step.end;
-  return (step.start + step.end) / 2;
+Eigen::Matrix<double, dim, 1> position(const FlagStep<dim>& step, int node) {
+  if (step.pairing == Pairing::end) return step.end.col(node);
+  return (step.start.col(node) + step.end.col(node)) / 2;
 }
 
 Eigen::Vector2d turned(const Eigen::Vector2d& d) {
@@ -17,11 +18,12 @@ Eigen::Vector2d turned(const Eigen::Vector2d& d) {
 }
 
 // Of a cell: from 00 to 11 and from 10 to 01; `period` lies between 0x and 1x.
-std::pair<Eigen::Vector3d, Eigen::Vector3d> diagonals(const NodeVectors<3>& x,
+std::pair<Eigen::Vector3d, Eigen::Vector3d> diagonals(const FlagStep<3>& step,
                                                       const std::array<int, 4>& nodes,
                                                       double period) {
   const Eigen::Vector3d shift = period * Eigen::Vector3d::UnitX();
-  return {x.col(nodes[3]) - x.col(nodes[0]) + shift, x.col(nodes[1]) - x.col(nodes[2]) - shift};
+  return {position(step, nodes[3]) - position(step, nodes[0]) + shift,
+          position(step, nodes[1]) - position(step, nodes[2]) - shift};
 }
 
 // a x b as a matrix acting on b.
@@ -53,14 +55,13 @@ PressureLoad<dim>::PressureLoad(const FlagMesh& mesh) : span_(mesh.span()) {
 template <int dim>
 void PressureLoad<dim>::add_forces(const FlagStep<dim>& step, const Eigen::VectorXd& p,
                                    NodeVectors<dim>& forces) const {
-  const NodeVectors<dim> x = paired(step);
   for (std::size_t n = 0; n < elements_.size(); ++n) {
     const auto& [nodes, crosses_seam] = elements_[n];
     Vector area;
     if constexpr (dim == 2) {
-      area = turned(x.col(nodes[1]) - x.col(nodes[0]));
+      area = turned(position(step, nodes[1]) - position(step, nodes[0]));
     } else {
-      const auto [d_1, d_2] = diagonals(x, nodes, crosses_seam ? span_ : 0.0);
+      const auto [d_1, d_2] = diagonals(step, nodes, crosses_seam ? span_ : 0.0);
       area = d_1.cross(d_2) / 2;
     }
     const Vector share = p[static_cast<Eigen::Index>(n)] / static_cast<double>(corners) * area;
@@ -71,7 +72,6 @@ void PressureLoad<dim>::add_forces(const FlagStep<dim>& step, const Eigen::Vecto
 template <int dim>
 void PressureLoad<dim>::add_tangent(const FlagStep<dim>& step, const Eigen::VectorXd& p,
                                     TangentMatrix<dim>& tangent) const {
-  const NodeVectors<dim> x = paired(step);
   for (std::size_t n = 0; n < elements_.size(); ++n) {
     const auto& [nodes, crosses_seam] = elements_[n];
     const double share =
@@ -82,7 +82,7 @@ void PressureLoad<dim>::add_tangent(const FlagStep<dim>& step, const Eigen::Vect
       by[1] << 0, -1, 1, 0;
       by[0] = -by[1];
     } else {
-      const auto [d_1, d_2] = diagonals(x, nodes, crosses_seam ? span_ : 0.0);
+      const auto [d_1, d_2] = diagonals(step, nodes, crosses_seam ? span_ : 0.0);
       by[3] = -cross_matrix(d_2) / 2;
       by[0] = -by[3];
       by[1] = cross_matrix(d_1) / 2;

@@ -82,6 +82,8 @@ class TangentMatrix<dim>::Sparse {
       }
     values_.assign(row_indices_.size(), 0);
     solution_.resize(order_);
+    reals_.resize(order_);
+    integers_.resize(static_cast<std::size_t>(order_));
     umfpack_di_defaults(control_);
     control_[UMFPACK_IRSTEP] = 0;  // Newton's method refines by itself
     umfpack_di_symbolic(order_, order_, columns_.data(), row_indices_.data(), nullptr, &symbolic_,
@@ -112,8 +114,9 @@ class TangentMatrix<dim>::Sparse {
     return status == UMFPACK_OK;
   }
   void solve(Eigen::VectorXd& b) {
-    umfpack_di_solve(UMFPACK_A, columns_.data(), row_indices_.data(), values_.data(),
-                     solution_.data(), b.data(), numeric_, control_, nullptr);
+    umfpack_di_wsolve(UMFPACK_A, columns_.data(), row_indices_.data(), values_.data(),
+                      solution_.data(), b.data(), numeric_, control_, nullptr, integers_.data(),
+                      reals_.data());
     b = solution_;
   }
 
@@ -125,7 +128,8 @@ class TangentMatrix<dim>::Sparse {
   std::vector<int> rows_, first_;           // of nodes
   std::vector<int> row_indices_, columns_;  // of unknowns
   std::vector<double> values_;
-  Eigen::VectorXd solution_;
+  Eigen::VectorXd solution_, reals_;  // and work space
+  std::vector<int> integers_;
   double control_[UMFPACK_CONTROL];
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;

@@ -1,4 +1,6 @@
 pennon_test(test_flag LABEL unit SOURCES unit/flag_forces.cpp LINK pennon::dns)
+# In a program of its own: it takes the place of malloc.
+pennon_test(test_flag_allocations LABEL unit SOURCES unit/flag_allocations.cpp LINK pennon::dns)
 pennon_test(test_flag_validation LABEL verification
             SOURCES verification/flag_plates.cpp verification/flag_lines.cpp
                     verification/flag_extremes.cpp verification/flag_in_vacuo.cpp

@@ -1,0 +1,61 @@
+/// A time step of the flag asks for no memory once the first is done: every call of malloc is
+/// counted.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+
+#include "dns/flag_stepper.hpp"
+#include "tests/support/flags.hpp"
+
+#if !defined(__SANITIZE_ADDRESS__)
+
+namespace {
+std::atomic<std::size_t> calls{0};
+}
+
+// glibc's own allocator, under the name that everything asks for.
+extern "C" void* __libc_malloc(std::size_t);
+extern "C" void* malloc(std::size_t size) {
+  calls.fetch_add(1, std::memory_order_relaxed);
+  return __libc_malloc(size);
+}
+
+namespace pennon::dns {
+namespace {
+
+using namespace pennon::test;
+
+template <int dim>
+std::size_t allocations_of_a_step(const FlagMesh& mesh, TimeScheme scheme, double contraction) {
+  const Flag<dim> flag(mesh, {1, 0.01, 100, 0.3, 0.01});
+  FlagStepper<dim> stepper(flag, scheme, {.contraction = contraction});
+  FlagState<dim> state = stepper.start();
+  FlagLoads<dim> weight;
+  weight.gravity[dim - 1] = -1;
+  const auto loads = [&](double) { return weight; };
+  for (int warm_up = 0; warm_up < 4; ++warm_up) stepper.advance(state, loads, 1e-3);
+  const std::size_t before = calls;
+  const StepSummary summary = stepper.advance(state, loads, 1e-3);
+  // UMFPACK allocates its factors anew; a step that keeps the tangent must not.
+  EXPECT_TRUE(dim == 2 || summary.factorisations == 0);
+  return calls - before;
+}
+
+TEST(FlagStep, AllocatesNothingAfterTheFirst) {
+  for (const TimeScheme scheme : {TimeScheme::energy_conserving, TimeScheme::backward_difference}) {
+    EXPECT_EQ(allocations_of_a_step<2>(FlagMesh(uniform_chord(20), {}), scheme, 0), 0U);
+    EXPECT_EQ(allocations_of_a_step<3>(FlagMesh(uniform_chord(10), 8, 1.0, {}), scheme, 0.5), 0U);
+  }
+}
+
+TEST(FlagStep, IsWatchedByACounterThatCounts) {
+  const std::size_t before = calls;
+  const auto some = std::make_unique<NodeVectors<3>>(3, 100);
+  EXPECT_GT(calls - before, 0U) << some->size();
+}
+
+}  // namespace
+}  // namespace pennon::dns
+
+#endif
