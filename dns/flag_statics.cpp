@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/errors.hpp"
+#include "common/interrupt.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -41,6 +42,7 @@ class Descent {
     double added_mass = 0;
     for (int i = 0; i < settings.most_iterations; ++i) {
       ++iterations;
+      stop_if_interrupted("nothing was written; run the same command again");
       const NodeVectors<dim> forces = forces_at(x);
       NodeVectors<dim> change = forces;
       tangent_.set_zero();

@@ -15,6 +15,7 @@ std::atomic<std::size_t> calls{0};
 }
 
 // glibc's own allocator, under the name that everything asks for.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is glibc's
 extern "C" void* __libc_malloc(std::size_t);
 extern "C" void* malloc(std::size_t size) {
   calls.fetch_add(1, std::memory_order_relaxed);
