@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "common/csv.hpp"
 #include "common/errors.hpp"
 #include "common/hdf5.hpp"
 #include "common/interrupt.hpp"
@@ -29,6 +30,40 @@ Eigen::Matrix<double, dim, 1> components(const std::array<double, 3>& vector) {
   return Eigen::Map<const Eigen::Vector3d>(vector.data()).template tail<dim>();
 }
 
+int nearest_node(const FlagMesh& mesh, double x, double y) {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < mesh.stations(); ++i)
+    for (int j = 0; j < mesh.chord_nodes(); ++j)
+      if (const double distance = std::hypot(mesh.x(i) - x, mesh.y(j) - y); distance < least) {
+        least = distance;
+        best = mesh.index(i, j);
+      }
+  return best;
+}
+
+// Adds the forces per area of a table to the nodes nearest to its places. Throws InputError
+// (file:line).
+template <int dim>
+void add_traction(const std::filesystem::path& file, const Flag<dim>& flag,
+                  NodeVectors<dim>& forces) {
+  const CsvTable table(file);
+  const auto number = [&](std::size_t row, const char* column) {
+    const auto value = table.number(row, table.column(column));
+    if (!value) throw InputError(table.place(row), fmt::format("{} is missing", column));
+    return *value;
+  };
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double x = dim == 3 ? number(row, "x") : 0.0;
+    const int node = nearest_node(flag.mesh(), x, number(row, "y"));
+    Eigen::Matrix<double, dim, 1> per_area;
+    if constexpr (dim == 3) per_area[0] = number(row, "f_x");
+    per_area[dim - 2] = number(row, "f_y");
+    per_area[dim - 1] = number(row, "f_z");
+    forces.col(node) += flag.mass()[node] / flag.material().mu * per_area;
+  }
+}
+
 template <int dim>
 FlagLoads<dim> loads_of(const Settings& settings, const FlagParameters& parameters,
                         const Flag<dim>& flag) {
@@ -37,9 +72,9 @@ FlagLoads<dim> loads_of(const Settings& settings, const FlagParameters& paramete
   loads.gravity = components<dim>(parameters.gravity);
   if (settings.loads.pressure != 0)
     loads.pressure = Eigen::VectorXd::Constant(flag.elements(), settings.loads.pressure);
-  const auto per_area = components<dim>(settings.loads.load);
-  const auto per_span = components<dim>(settings.loads.edge_load);
-  if (per_area.isZero(0) && per_span.isZero(0)) return loads;
+  const Eigen::Matrix<double, dim, 1> per_area = components<dim>(settings.loads.load);
+  const Eigen::Matrix<double, dim, 1> per_span = components<dim>(settings.loads.edge_load);
+  if (per_area.isZero(0) && per_span.isZero(0) && settings.loads.traction.empty()) return loads;
   loads.node_forces.setZero(dim, mesh.nodes());
   for (int i = 0; i < mesh.stations(); ++i)
     for (int j = 0; j < mesh.chord_nodes(); ++j) {
@@ -47,6 +82,8 @@ FlagLoads<dim> loads_of(const Settings& settings, const FlagParameters& paramete
       if (j + 1 == mesh.chord_nodes())
         loads.node_forces.col(mesh.index(i, j)) += mesh.span_share(i) * per_span;
     }
+  if (!settings.loads.traction.empty())
+    add_traction(settings.loads.traction, flag, loads.node_forces);
   return loads;
 }
 
@@ -78,18 +115,6 @@ NodeVectors<dim> initial_shape(const Settings& settings, const std::optional<Dis
       node[dim - 2] = before[dim - 2] + std::sqrt(run);
     }
   return x;
-}
-
-int nearest_node(const FlagMesh& mesh, double x, double y) {
-  int best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < mesh.stations(); ++i)
-    for (int j = 0; j < mesh.chord_nodes(); ++j)
-      if (const double distance = std::hypot(mesh.x(i) - x, mesh.y(j) - y); distance < least) {
-        least = distance;
-        best = mesh.index(i, j);
-      }
-  return best;
 }
 
 template <int dim>

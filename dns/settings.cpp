@@ -44,7 +44,11 @@ void declare(Schema& schema, Settings& settings) {
       .key({"load", &settings.loads.load,
             "force per area along x, y, z, keeping its direction, in rho_f V^2"})
       .key({"edge_load", &settings.loads.edge_load,
-            "force per span on the trailing edge along x, y, z, in rho_f V^2 L"});
+            "force per span on the trailing edge along x, y, z, in rho_f V^2 L"})
+      .key({"traction", &settings.loads.traction,
+            "CSV file with columns x, y, f_x, f_y, f_z: force per area, keeping its direction, at "
+            "the node "
+            "nearest to each place (x, y) at rest; in two dimensions y, f_y, f_z"});
   schema.table("dns.initial", "Where the flag starts, without velocity.")
       .key({"A", &settings.initial.A, "amplitudes of the cosines in (5.1), n = 0, 1, ..., in L"})
       .key({"B", &settings.initial.B, "amplitudes of the sines in (5.1), n = 0, 1, ..., in L"})

@@ -36,6 +36,7 @@ struct LoadSettings {
   double pressure = 0;                          ///< follower pressure jump, rho_f V^2
   std::array<double, 3> load = {0, 0, 0};       ///< per area, keeping its direction, rho_f V^2
   std::array<double, 3> edge_load = {0, 0, 0};  ///< per span at the trailing edge, rho_f V^2 L
+  std::string traction;                         ///< CSV file: force per area at places of the flag
 };
 
 struct InitialSettings {

@@ -217,6 +217,24 @@ TEST_F(Dns, BendsTheElasticaOfItsCase) {
   EXPECT_NEAR(last.at("z").get<double>(), 0.55833, 1e-4);
 }
 
+TEST_F(Dns, TakesTheTractionOfATableAsItTakesAUniformLoad) {
+  std::string table = "y,f_y,f_z\n";
+  for (int j = 0; j <= 20; ++j) table += std::to_string(j / 20.0) + ",0,0.5\n";
+  test::write_text(folder_ / "traction.csv", table);
+  const fs::path file = test::write_text(folder_ / "case.toml",
+                                         "[flag]\nmu = 1\nK_B = 1\nleading_edge = \"clamped\"\n"
+                                         "[dns.flag]\nn_y = 21\nequilibrium = true\n");
+  const auto deflection = [&](const std::string& load) {
+    const Outcome outcome =
+        pennon({"dns", file.string(), "--json", "--output", results(), "--set", load});
+    EXPECT_EQ(outcome.status, done) << outcome.err;
+    return json::parse(outcome.out).at("dns").at("last").at("z").get<double>();
+  };
+  const double of_table = deflection("dns.loads.traction=" + (folder_ / "traction.csv").string());
+  EXPECT_NEAR(of_table, 0.5 / 8, 0.002) << "a cantilever under a uniform load: q L^4/(8 EI)";
+  EXPECT_NEAR(deflection("dns.loads.load=[0,0,0.5]"), of_table, 1e-12);
+}
+
 TEST_F(Dns, GoesOnAfterATerminationToTheSameBits) {
   const std::string file = (source / "data/cases/flag/swinging_membrane.toml").string();
   const auto arguments = [&](const std::string& folder) {
