@@ -3,7 +3,6 @@
 #include <omp.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <numbers>
 
@@ -16,29 +15,15 @@
 #include "lsa/quantity.hpp"
 #include "lsa/root.hpp"
 #include "tests/support/lsa_oracle.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace pennon::lsa {
 namespace {
 
-namespace fs = std::filesystem;
 constexpr double pi = std::numbers::pi;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 const Point paper{0.125, 1000, 1.0, pi, 0.3, 1e-4, 0};
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("pennon-lsa-" + std::to_string(getpid()))) {
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::size_t index(Axis axis) {
   return static_cast<std::size_t>(axis);
@@ -102,7 +87,7 @@ TEST(Point, IsFiniteAtTheEndsOfWhatACaseMayGive) {
 }
 
 TEST(Map, HoldsWhatThePointsSayWhateverTheNumberOfThreads) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   const MapSettings map =
       map_of(Axis::k_x, {0, 6, 700, Scale::linear, {}}, Axis::mu, {0.01, 1, 33, Scale::log, {}});
   std::vector<std::vector<double>> growth;
@@ -126,7 +111,7 @@ TEST(Map, HoldsWhatThePointsSayWhateverTheNumberOfThreads) {
 }
 
 TEST(Map, TracesTheNeutralCurveToMachinePrecision) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   const MapSettings map = map_of(Axis::k_x, {0.1, 12, 60, Scale::linear, {}}, Axis::mu,
                                  {0.02, 0.5, 40, Scale::log, {}});
   const MapSummary summary = compute_map(map, paper, {}, {}, OutputFolder(folder.path()), false);
@@ -143,7 +128,7 @@ TEST(Map, TracesTheNeutralCurveToMachinePrecision) {
 }
 
 TEST(Map, TakesTheAddedMassMinamiOncePerWavenumber) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Theory theory;
   theory.model.added_mass = AddedMass::minami;
   MapSettings map =
