@@ -6,7 +6,6 @@
 
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
-#include "common/hdf5.hpp"
 #include "common/interrupt.hpp"
 #include "lsa/marks.hpp"
 #include "lsa/quantity.hpp"
@@ -15,14 +14,17 @@ namespace pennon::lsa {
 
 Curve compute(const CurveSettings& settings, const Point& point, const Theory& theory) {
   const std::vector<Axis> axes = varying(settings.sweeps);
-  const auto sweep = [&](Axis axis) -> const Sweep& {
-    return *settings.sweeps[static_cast<std::size_t>(axis)];
-  };
-  Curve curve{axes[0], sweep(axes[0]).scale, sweep(axes[0]).values(), std::nullopt,
-              {},      settings.quantity,    settings.title,          {}};
+  Curve curve{axes[0],
+              along(settings.sweeps, axes[0]).scale,
+              along(settings.sweeps, axes[0]).values(),
+              std::nullopt,
+              {},
+              settings.quantity,
+              settings.title,
+              {}};
   if (axes.size() == 2) {
     curve.family_axis = axes[1];
-    curve.family = sweep(axes[1]).values();
+    curve.family = along(settings.sweeps, axes[1]).values();
   } else {
     curve.family = {std::numeric_limits<double>::quiet_NaN()};
   }
@@ -57,11 +59,8 @@ void write_csv(const Curve& curve, const std::filesystem::path& path) {
   write_file(path, text.text());
 }
 
-void write_hdf5(const Curve& curve, const std::vector<Outcome>& marks, bool cross_flow,
-                const std::filesystem::path& path) {
-  hdf5::Writer file(path);
+void write_lines(const Curve& curve, hdf5::Writer& file) {
   const Quantity& shown = quantity(curve.quantity);
-  file.attributes({{"kind", "lsa_curve"}, {"title", curve.title}});
   file.write("/x", {curve.x.size()}, curve.x,
              {{"name", name(curve.axis)},
               {"meaning", meaning(curve.axis)},
@@ -76,6 +75,13 @@ void write_hdf5(const Curve& curve, const std::vector<Outcome>& marks, bool cros
                {{"name", name(*curve.family_axis)},
                 {"meaning", meaning(*curve.family_axis)},
                 {"label", label(*curve.family_axis)}});
+}
+
+void write_hdf5(const Curve& curve, const std::vector<Outcome>& marks, bool cross_flow,
+                const std::filesystem::path& path) {
+  hdf5::Writer file(path);
+  file.attributes({{"kind", "lsa_curve"}, {"title", curve.title}});
+  write_lines(curve, file);
   write_marks(file, marks, curve.axis, curve.quantity, cross_flow);
   file.finish();
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/hdf5.hpp"
 #include "lsa/axes.hpp"
 #include "lsa/evaluate.hpp"
 #include "lsa/outcomes.hpp"
@@ -29,6 +30,10 @@ Curve compute(const CurveSettings& settings, const Point& point, const Theory&);
 
 /// curve.csv's columns: the axis, then a column for each member of the family. Throws FileError.
 void write_csv(const Curve&, const std::filesystem::path&);
+
+/// Writes /x, /values [family][x] and, if there is a family, /family, with their names, meanings
+/// and labels. Throws FileError.
+void write_lines(const Curve&, hdf5::Writer&);
 
 /// The same as HDF5, with what a picture needs: kind = "lsa_curve". `marks`: see lsa/marks.hpp.
 /// Throws FileError.

@@ -196,15 +196,12 @@ MapAxes axes_of(const MapSettings& settings) {
   for (std::size_t i = 0; i < axis_count; ++i)
     if (settings.sweeps[i]) axes.push_back(static_cast<Axis>(i));
   if (axes[0] == Axis::mu) std::swap(axes[0], axes[1]);
-  const auto sweep = [&](Axis axis) -> const Sweep& {
-    return *settings.sweeps[static_cast<std::size_t>(axis)];
-  };
   return {axes[0],
           axes[1],
-          sweep(axes[0]).scale,
-          sweep(axes[1]).scale,
-          sweep(axes[0]).values(),
-          sweep(axes[1]).values()};
+          along(settings.sweeps, axes[0]).scale,
+          along(settings.sweeps, axes[1]).scale,
+          along(settings.sweeps, axes[0]).values(),
+          along(settings.sweeps, axes[1]).values()};
 }
 
 MapSummary compute_map(const MapSettings& settings, const Point& point, const Theory& theory,

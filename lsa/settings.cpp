@@ -110,9 +110,7 @@ void check_curve(const Settings& settings, Faults& faults) {
   const CurveSettings& curve = settings.curve;
   if (!curve.is_given) return;
   const std::vector<Axis> axes = varying(curve.sweeps);
-  const auto sweep = [&](std::size_t i) -> const Sweep& {
-    return *curve.sweeps[static_cast<std::size_t>(axes[i])];
-  };
+  const auto sweep = [&](std::size_t i) -> const Sweep& { return along(curve.sweeps, axes[i]); };
   const bool is_one = axes.size() == 1;
   const bool is_family = axes.size() == 2 && sweep(0).list.empty() && !sweep(1).list.empty();
   if (!is_one && !is_family)
@@ -140,7 +138,7 @@ void check_map(const Settings& settings, Faults& faults) {
                              axes.size(), axes_text(axes)));
   double points = 1;
   for (const Axis axis : axes) {
-    const Sweep& sweep = *map.sweeps[static_cast<std::size_t>(axis)];
+    const Sweep& sweep = along(map.sweeps, axis);
     check_order("lsa.map", axis, sweep, faults);
     points *= static_cast<double>(sweep.size());
   }
@@ -271,9 +269,8 @@ std::vector<Axis> varying(const Sweeps& sweeps) {
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < axis_count; ++i)
     if (sweeps[i]) axes.push_back(static_cast<Axis>(i));
-  std::stable_partition(axes.begin(), axes.end(), [&](Axis axis) {
-    return sweeps[static_cast<std::size_t>(axis)]->list.empty();
-  });
+  std::stable_partition(axes.begin(), axes.end(),
+                        [&](Axis axis) { return along(sweeps, axis).list.empty(); });
   return axes;
 }
 

@@ -73,6 +73,11 @@ void check(const Settings&, const FlagParameters&, const FlowParameters&, Faults
 /// The parameters of the case's own point.
 Point point_of(const FlagParameters&, const FlowParameters&, const Settings&);
 
+/// The sweep along an axis that varies.
+inline const Sweep& along(const Sweeps& sweeps, Axis axis) {
+  return *sweeps[static_cast<std::size_t>(axis)];
+}
+
 /// The axes that vary, those with a range before those with a list: at most two for a valid case.
 std::vector<Axis> varying(const Sweeps&);
 

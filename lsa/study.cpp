@@ -6,7 +6,6 @@
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
 #include "common/hdf5.hpp"
-#include "lsa/quantity.hpp"
 
 namespace pennon::lsa {
 namespace {
@@ -45,12 +44,7 @@ void write_verdicts(const Verdicts& verdicts, const Curve& curve, const OutputFo
 
   hdf5::Writer file(folder / "verdicts.h5");
   file.attributes({{"kind", "lsa_verdicts"}, {"title", ""}});
-  file.write("/x", {curve.x.size()}, curve.x, {{"label", label(Axis::k_y)}, {"scale", "linear"}});
-  std::vector<double> values;
-  for (const auto& row : curve.values) values.insert(values.end(), row.begin(), row.end());
-  file.write("/values", {curve.family.size(), curve.x.size()}, values,
-             {{"name", "mu_cr"}, {"label", quantity("mu_cr").label}});
-  file.write("/family", {curve.family.size()}, curve.family, {{"label", label(Axis::k_x)}});
+  write_lines(curve, file);
   file.write("/mu", {mu.size()}, mu, {{"meaning", "the mass ratios of the table"}});
   std::vector<double> ends;
   for (const auto& [low, high] : verdicts.reproduced) ends.insert(ends.end(), {low, high});

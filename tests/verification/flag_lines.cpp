@@ -8,7 +8,6 @@
 
 #include "dns/flag_statics.hpp"
 #include "dns/flag_stepper.hpp"
-#include "modes/in_vacuo.hpp"
 #include "tests/support/flags.hpp"
 
 namespace pennon::dns {
