@@ -1,0 +1,27 @@
+/// Anderson's acceleration of a fixed-point iteration x <- x + f(x) (Anderson 1965; type II of Walker
+/// & Ni 2011): the next x is the combination of the last ones whose f is least, and its f added.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace pennon::dns {
+
+class Anderson {
+ public:
+  /// Keeps the differences to `depth` earlier iterates of n numbers.
+  Anderson(Eigen::Index n, int depth);
+
+  /// Forgets the earlier iterates.
+  void restart() { kept_ = 0; has_last_ = false; }
+  /// Takes x, where f(x) was found, to the next iterate.
+  void advance(Eigen::Ref<Eigen::VectorXd> x, const Eigen::Ref<const Eigen::VectorXd>& f);
+
+ private:
+  Eigen::MatrixXd x_differences_, f_differences_;  // a column each, the oldest is replaced
+  Eigen::MatrixXd products_;                       // of the columns of f_differences_
+  Eigen::VectorXd last_x_, last_f_;
+  int kept_ = 0, next_ = 0;
+  bool has_last_ = false;
+};
+
+}  // namespace pennon::dns

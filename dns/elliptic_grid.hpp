@@ -1,0 +1,77 @@
+/// The O-grid about a displaced flag: in each plane x = const the corners r = (y, z) satisfy
+///
+///   |r_theta|^2 r_rhorho - 2 (r_rho . r_theta) r_rhotheta + |r_rho|^2 r_thetatheta = 0,
+///
+/// that is, rho and theta stay harmonic functions of y and z (Winslow 1966), with r given on the
+/// flag and at rest on the outer boundary. It is solved for the displacement from the conformal grid,
+/// which satisfies it, so that the derivatives of the latter are exact. Second order.
+///
+/// The solution is iterated: each pass takes the residual, scaled, through the inverse of the flat
+/// operator d_rho^2 + d_theta^2, and Anderson's acceleration combines the last ones.
+#pragma once
+
+#include <array>
+
+#include "dns/anderson.hpp"
+#include "dns/field.hpp"
+#include "dns/o_grid.hpp"
+#include "dns/separable_solver.hpp"
+
+namespace pennon::dns {
+
+/// Of the corners, from the grid at rest. Row 0 is the flag's.
+template <class Scalar>
+struct Displacement {
+  Field<Scalar> y, z;
+
+  explicit Displacement(const Extent& extent) : y(extent), z(extent) {}
+};
+
+struct EllipticGridSummary {
+  int passes = 0;
+  double change = 0;      ///< of the last pass, largest, in L
+  double least_area = 1;  ///< of a cell, over its area at rest; not positive where the grid folds
+};
+
+class EllipticGrid {
+ public:
+  explicit EllipticGrid(const OGrid&);
+
+  /// Moves row 0 of a plane to the flag's displacement (n_theta numbers each), and the others along
+  /// with it, less the farther they are.
+  void move_wall(int plane, const double* y, const double* z, Displacement<double>&) const;
+
+  /// Brings the corners of a plane into equilibrium with their row 0; what `displacement` holds is
+  /// the first guess. Stops where a pass changes no corner by more than `tolerance`, or after
+  /// `most_passes`: any smooth grid is a valid one, and the next step goes on from there.
+  EllipticGridSummary relax(int plane, Displacement<double>& displacement, double tolerance,
+                            int most_passes);
+
+  /// The left side of the equation above, both components divided by (|r_rho|^2 + |r_theta|^2)/2,
+  /// at the inner corners of a plane: rows 1 .. n_rho - 1 of n_theta, one behind the other.
+  void residual(int plane, const Displacement<double>& displacement, double* y, double* z) const;
+
+  /// move_wall() and relax(); where that folds, from the grid at rest in small parts.
+  EllipticGridSummary follow(int plane, const double* y, const double* z, Displacement<double>&,
+                             double tolerance, int most_passes);
+
+  /// The least ratio of a cell's area to its area at rest.
+  double least_area(int plane, const Displacement<double>&) const;
+
+ private:
+  struct Differences {  // of three neighbours: weights of the one before, the middle, the one behind
+    double first[3], second[3];
+  };
+  static Differences differences(double before, double behind);
+
+  OGrid grid_;
+  std::vector<Differences> along_rho_;
+  std::array<std::vector<double>, 3> theta_first_, theta_second_;
+  std::vector<double> cos_theta_, sin_theta_, cos_centre_, sin_centre_;
+  std::vector<double> cos_half_step_, sin_half_step_;
+  SeparableSolver flat_;
+  Eigen::VectorXd corners_, change_, before_;  // the inner corners' y, then z
+  Anderson acceleration_;
+};
+
+}  // namespace pennon::dns

@@ -1,0 +1,571 @@
+#include "dns/fluid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/errors.hpp"
+#include "dns/ghosts.hpp"
+
+namespace pennon::dns {
+namespace {
+
+// The components of FluidState::u.
+constexpr int along_y = 0, along_z = 1, along_x = 2;
+
+// The pressure's operator on the flat grid for one spanwise wavenumber, each cell's divided by
+// sR_j sTheta_i: see metrics.cpp for these, docs/theory/fluid.md for the derivation.
+SeparableSolver flat_pressure(const OGrid& grid, double k) {
+  const int n_rho = grid.n_rho(), n_theta = grid.n_theta();
+  Tridiagonal along_rho{Eigen::VectorXd::Zero(n_rho), Eigen::VectorXd(n_rho),
+                        Eigen::VectorXd::Zero(n_rho)};
+  for (int j = 0; j < n_rho; ++j) {
+    const double sR = 2 * std::sinh(grid.rho_step(j) / 2);
+    const double below = j > 0 ? 1 / grid.rho_face_step(j) : 0;
+    const double above = 1 / grid.rho_face_step(j + 1);
+    along_rho.lower[j] = below / sR;
+    along_rho.upper[j] = j + 1 < n_rho ? above / sR : 0;
+    const double outer = j + 1 < n_rho ? 1 : 2;  // p = 0 on the face
+    along_rho.diagonal[j] = -(below + outer * above) / sR -
+                            k * k / 4 * std::pow(std::sinh(grid.rho_centre(j)), 2);
+  }
+  Eigen::VectorXd S(n_theta);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n_theta, n_theta);
+  for (int i = 0; i < n_theta; ++i) {
+    S[i] = 2 * std::sin(grid.theta_step(i) / 2);
+    const double before = 1 / grid.theta_face_step(i), behind = 1 / grid.theta_face_step(i + 1);
+    A(i, (i + n_theta - 1) % n_theta) += before;
+    A(i, (i + 1) % n_theta) += behind;
+    A(i, i) -=
+        before + behind + S[i] * k * k / 4 * std::pow(std::sin(grid.theta_centre(i)), 2);
+  }
+  return {along_rho, ThetaBasis(S, A, k == 0 && grid.is_theta_uniform())};
+}
+
+template <class Function>
+void for_each_row(const Extent& extent, const Function& function) {
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int j = 0; j < extent.n_rho; ++j) function(plane, j);
+}
+
+void pack(const Field<double>& f, double* packed) {
+  for_each_row(f.extent(), [&](int plane, int j) {
+    packed = std::copy_n(f.row(plane, j), f.extent().n_theta, packed);
+  });
+}
+
+void unpack(const double* packed, Field<double>& f) {
+  for_each_row(f.extent(), [&](int plane, int j) {
+    std::copy_n(packed, f.extent().n_theta, f.row(plane, j));
+    packed += f.extent().n_theta;
+  });
+}
+
+// sum = a f + b g, ghosts too.
+void combine(double a, const Field<double>& f, double b, const Field<double>& g,
+             Field<double>& sum) {
+  const double *from = f.values().data(), *other = g.values().data();
+  double* to = sum.values().data();
+  for (std::size_t k = 0; k < sum.values().size(); ++k) to[k] = a * from[k] + b * other[k];
+}
+
+}  // namespace
+
+Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
+             const FluidTolerances& tolerances, const Upwinding& upwinding)
+    : grid_(grid),
+      span_(std::move(span)),
+      parameters_(parameters),
+      tolerances_(tolerances),
+      upwinding_(upwinding),
+      extent_{span_.planes(), grid.n_rho(), grid.n_theta()},
+      components_(span_.has_span() || parameters.U != 0 ? 3 : 2),
+      elliptic_(grid),
+      metrics_(extent_, span_.has_span()),
+      pressure_(
+          extent_.cells(), {"pressure", 200, 30},
+          [this](const double* in, double* out) { pressure_operator(in, out); },
+          [this](const double* in, double* out) { invert_flat_pressure(in, out); }),
+      velocity_(
+          extent_.cells(), {"velocity", 200, 10},
+          [this](const double* in, double* out) { velocity_operator(in, out); },
+          [this](const double* in, double* out) { invert_lines(in, out); }),
+      grid_velocity_y_(extent_),
+      grid_velocity_z_(extent_),
+      flux_rho_(extent_),
+      flux_theta_(extent_),
+      slope_(span_.has_span() ? extent_ : Extent{0, 0, 0}),
+      f_(extent_),
+      work_(extent_),
+      balance_(extent_),
+      C_s_(extent_),
+      C_t_(extent_),
+      inverse_pivot_(extent_) {
+  for (int m = 0; 2 * m <= span_.planes(); ++m)
+    flat_.push_back(flat_pressure(grid, span_.wavenumber(m)));
+  if (span_.has_span()) {
+    f_xi_ = Field<double>(extent_);
+    x_flux_ = Field<double>(extent_);
+  }
+  no_velocity_.resize(static_cast<std::size_t>(extent_.n_theta));
+  inverse_flat_area_.resize(extent_.n_rho, extent_.n_theta);
+  for (int j = 0; j < extent_.n_rho; ++j)
+    for (int i = 0; i < extent_.n_theta; ++i)
+      inverse_flat_area_(j, i) =
+          1 / (4 * std::sinh(grid.rho_step(j) / 2) * std::sin(grid.theta_step(i) / 2));
+  const std::size_t wall =
+      static_cast<std::size_t>(extent_.planes) * static_cast<std::size_t>(extent_.n_theta);
+  wall_ = {std::vector<double>(wall), std::vector<double>(wall)};
+  wall_velocity_.assign(static_cast<std::size_t>(components_), std::vector<double>(wall));
+  guess_.assign(static_cast<std::size_t>(components_), Field<double>(extent_));
+  gradient_.assign(span_.has_span() ? 3 : 2, Field<double>(extent_));
+  for (std::vector<double>* vector : {&packed_, &right_, &solution_})
+    vector->resize(extent_.cells());
+}
+
+double Fluid::stream(int component) const {
+  if (component == along_x) return parameters_.U;
+  return component == along_y ? 1.0 : 0.0;
+}
+
+void Fluid::fail(double t, const std::string& what) const {
+  throw SolverError(fmt::format("at t = {:.6g}: {}", t, what));
+}
+
+void Fluid::extend_velocity(const FluidState& state, int component, Field<double>& f,
+                            bool is_viscous) const {
+  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
+    extend_to_wall(plane, wall_velocity_[static_cast<std::size_t>(component)].data() + first, f);
+    extend_outward(plane, state.is_inflow, first, stream(component), is_viscous, f);
+    f.wrap_theta(plane, -2, n_rho + 2);
+  }
+}
+
+void Fluid::extend_pressure(Field<double>& p) const {
+  const int n_rho = extent_.n_rho;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    extrapolate_to_wall(plane, p);
+    const double* last = p.row(plane, n_rho - 1);
+    double* ghost = p.row(plane, n_rho);
+    for (int i = 0; i < extent_.n_theta; ++i) ghost[i] = -last[i];  // p = 0 between them
+    p.wrap_theta(plane, -1, n_rho + 1);
+  }
+}
+
+// --- Operators ------------------------------------------------------------------------------------
+
+void Fluid::balance_of_gradient(const Field<double>& f, bool with_wall_flux,
+                                Field<double>& balance) {
+  const Field<double>* f_xi = nullptr;
+  if (span_.has_span()) {
+    span_.differentiate(f, f_xi_);
+    f_xi = &f_xi_;
+  }
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance);
+  if (!span_.has_span()) return;
+  for_each_row(extent_, [&](int plane, int j) {
+    const double *below = f.row(plane, j - 1), *here = f.row(plane, j), *above = f.row(plane, j + 1);
+    const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
+    const double *xi = f_xi_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+    double* flux = x_flux_.row(plane, j);
+    for (int i = 0; i < extent_.n_theta; ++i)
+      flux[i] = volume[i] * (xi[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
+                             t_x[i] * 0.5 * (here[i + 1] - here[i - 1]));
+  });
+  span_.differentiate(x_flux_, x_flux_);
+  for_each_row(extent_, [&](int plane, int j) {
+    const double* flux = x_flux_.row(plane, j);
+    double* sum = balance.row(plane, j);
+    for (int i = 0; i < extent_.n_theta; ++i) sum[i] += flux[i];
+  });
+}
+
+void Fluid::pressure_operator(const double* in, double* out) {
+  unpack(in, f_);
+  extend_pressure(f_);
+  balance_of_gradient(f_, false, balance_);
+  pack(balance_, out);
+}
+
+void Fluid::invert_flat_pressure(const double* in, double* out) {
+  const std::size_t plane_cells = extent_.cells_of_plane();
+  std::copy_n(in, extent_.cells(), out);
+  span_.to_coefficients(out, plane_cells, plane_cells);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    double* values = out + static_cast<std::size_t>(plane) * plane_cells;
+    if (span_.is_dropped(plane)) {
+      std::fill_n(values, plane_cells, 0.0);
+      continue;
+    }
+    double* value = values;
+    for (int j = 0; j < extent_.n_rho; ++j)
+      for (int i = 0; i < extent_.n_theta; ++i) *value++ *= inverse_flat_area_(j, i);
+    flat_[static_cast<std::size_t>(std::min(plane, extent_.planes - plane))].solve(values);
+  }
+  span_.to_values(out, plane_cells, plane_cells);
+}
+
+// next_weight V u - 1/Re (balance of u's gradient), u zero at the flag and in the stream.
+void Fluid::velocity_operator(const double* in, double* out) {
+  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
+  unpack(in, f_);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    extend_to_wall(plane, no_velocity_.data(), f_);
+    extend_outward(plane, is_inflow_,
+                   static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta), 0.0, true,
+                   f_);
+    f_.wrap_theta(plane, -1, n_rho + 1);
+  }
+  balance_of_gradient(f_, true, balance_);
+  for_each_row(extent_, [&](int plane, int j) {
+    const double *balance = balance_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+    for (int i = 0; i < n_theta; ++i, ++in, ++out)
+      *out = next_weight_ * volume[i] * *in - balance[i] / parameters_.Re;
+  });
+}
+
+// The part of velocity_operator() on the lines theta = const, eliminated from the flag outward.
+void Fluid::prepare_lines() {
+  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
+  const double nu = 1 / parameters_.Re;
+  for_each_row(extent_, [&](int plane, int j) {
+    const double* volume = metrics_.volume.row(plane, j);
+    const double *below = metrics_.rho_faces.along.row(plane, j),
+                 *above = metrics_.rho_faces.along.row(plane, j + 1);
+    const double* theta = metrics_.theta_faces.along.row(plane, j);
+    double* pivot = inverse_pivot_.row(plane, j);
+    const double* pivot_below = inverse_pivot_.row(plane, j - 1);
+    for (int i = 0; i < n_theta; ++i) {
+      const std::size_t face = static_cast<std::size_t>(plane * n_theta + i);
+      const double outer = j + 1 < n_rho || is_inflow_[face] ? above[i] : 0.0;
+      double diagonal = next_weight_ * volume[i] +
+                        nu * ((j == 0 ? 3.0 : 1.0) * below[i] + outer + theta[i] + theta[i + 1]);
+      if (j > 0) {  // the wall's one-sided difference takes a third of the second cell
+        const double upper_of_below =
+            -nu * (below[i] + (j == 1 ? metrics_.rho_faces.along.row(plane, 0)[i] / 3 : 0.0));
+        diagonal -= -nu * below[i] * upper_of_below * pivot_below[i];
+      }
+      pivot[i] = 1 / diagonal;
+    }
+  });
+}
+
+void Fluid::invert_lines(const double* in, double* out) const {
+  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
+  const double nu = 1 / parameters_.Re;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    const std::size_t first = static_cast<std::size_t>(plane) * extent_.cells_of_plane();
+    const auto row = [&](auto* values, int j) {
+      return values + first + static_cast<std::size_t>(j) * static_cast<std::size_t>(n_theta);
+    };
+    for (int j = 0; j < n_rho; ++j) {
+      const double *f = row(in, j), *below = metrics_.rho_faces.along.row(plane, j);
+      const double* pivot = inverse_pivot_.row(plane, j);
+      double* u = row(out, j);
+      if (j == 0)
+        for (int i = 0; i < n_theta; ++i) u[i] = f[i] * pivot[i];
+      else
+        for (int i = 0; i < n_theta; ++i)
+          u[i] = (f[i] + nu * below[i] * row(out, j - 1)[i]) * pivot[i];
+    }
+    for (int j = n_rho - 2; j >= 0; --j) {
+      const double *above = metrics_.rho_faces.along.row(plane, j + 1),
+                   *wall = metrics_.rho_faces.along.row(plane, 0);
+      const double *pivot = inverse_pivot_.row(plane, j), *next = row(out, j + 1);
+      const double share = j == 0 ? 1.0 / 3 : 0.0;
+      double* u = row(out, j);
+      for (int i = 0; i < n_theta; ++i)
+        u[i] += nu * (above[i] + share * wall[i]) * pivot[i] * next[i];
+    }
+  }
+}
+
+// --- The step -------------------------------------------------------------------------------------
+
+void Fluid::update_all_metrics(const Displacement<double>& displacement) {
+  if (span_.has_span()) {
+    span_.differentiate(displacement.y, slope_.y);
+    span_.differentiate(displacement.z, slope_.z);
+  }
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    update_metrics(grid_, plane, displacement, span_.has_span() ? &slope_ : nullptr, metrics_);
+}
+
+void Fluid::adopt_grid(const FluidState& state) { update_all_metrics(state.grid.front()); }
+
+void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardDifference& D,
+                      double t, FluidStepSummary& summary) {
+  const int n_theta = extent_.n_theta;
+  wall(t, wall_);
+  // The guess: the parabola through the last three grids (two where there are no three).
+  std::rotate(state.grid.begin(), state.grid.end() - 1, state.grid.end());
+  Displacement<double>&next = state.grid[0], &last = state.grid[1], &before = state.grid[2];
+  const auto extrapolate = [](Field<double>& f, const Field<double>& f1, const Field<double>& f2) {
+    for (std::size_t k = 0; k < f.values().size(); ++k)
+      f.values()[k] += 3 * (f1.values()[k] - f2.values()[k]);
+  };
+  extrapolate(next.y, last.y, before.y);
+  extrapolate(next.z, last.z, before.z);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
+    const EllipticGridSummary found =
+        elliptic_.follow(plane, wall_.y.data() + first, wall_.z.data() + first, next,
+                         tolerances_.grid, tolerances_.most_grid_passes);
+    summary.grid_passes = std::max(summary.grid_passes, found.passes);
+    summary.least_area = std::min(summary.least_area, found.least_area);
+    if (!(found.least_area > 0))
+      fail(t, fmt::format("the grid folds in the plane x = {:.4g}: a cell has {:.3g} of its area at "
+                          "rest; the flag bends too sharply for n_theta = {}",
+                          span_.x(plane), found.least_area, n_theta));
+  }
+  update_all_metrics(next);
+  const auto velocity_of = [&](const Field<double>& d0, const Field<double>& d1,
+                               const Field<double>& d2, Field<double>& at_cells,
+                               std::vector<double>& at_wall) {
+    for (int plane = 0; plane < extent_.planes; ++plane) {
+      for (int j = 0; j <= extent_.n_rho; ++j) {
+        const double *a = d0.row(plane, j), *b = d1.row(plane, j), *c = d2.row(plane, j);
+        double* corner = work_.row(plane, j);
+        for (int i = 0; i <= n_theta; ++i) corner[i] = D.derivative(a[i], b[i], c[i]);
+      }
+      for (int j = 0; j < extent_.n_rho; ++j) {
+        const double *below = work_.row(plane, j), *above = work_.row(plane, j + 1);
+        double* cell = at_cells.row(plane, j);
+        for (int i = 0; i < n_theta; ++i)
+          cell[i] = 0.25 * (below[i] + below[i + 1] + above[i] + above[i + 1]);
+      }
+      const double* corner = work_.row(plane, 0);
+      for (int i = 0; i < n_theta; ++i)
+        at_wall[static_cast<std::size_t>(plane * n_theta + i)] = 0.5 * (corner[i] + corner[i + 1]);
+    }
+  };
+  velocity_of(next.y, last.y, before.y, grid_velocity_y_, wall_velocity_[along_y]);
+  velocity_of(next.z, last.z, before.z, grid_velocity_z_, wall_velocity_[along_z]);
+}
+
+// The velocity without the new pressure: convection extrapolated, viscosity implicit.
+void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSummary& summary) {
+  const int n_theta = extent_.n_theta;
+  const bool has_span = span_.has_span();
+  is_inflow_ = state.is_inflow;
+  next_weight_ = D.next;
+  prepare_lines();
+  for (std::size_t c = 0; c < guess_.size(); ++c) {
+    combine(D.guess_last, state.u[c], D.guess_before, state.u_last[c], guess_[c]);
+    extend_velocity(state, static_cast<int>(c), guess_[c], false);
+  }
+  const double dt = D.guess_before == 0 ? 1 / D.next : (1 + D.guess_last) / (D.guess_last * D.next);
+  for_each_row(extent_, [&](int plane, int j) {
+    const double *v = guess_[along_y].row(plane, j), *w = guess_[along_z].row(plane, j);
+    const double *v_g = grid_velocity_y_.row(plane, j), *w_g = grid_velocity_z_.row(plane, j);
+    const double *s_y = metrics_.s_y.row(plane, j), *s_z = metrics_.s_z.row(plane, j);
+    const double *t_y = metrics_.t_y.row(plane, j), *t_z = metrics_.t_z.row(plane, j);
+    double *s = C_s_.row(plane, j), *t = C_t_.row(plane, j);
+    for (int i = 0; i < n_theta; ++i) {
+      s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
+      t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
+    }
+    if (has_span) {
+      const double* u = guess_[along_x].row(plane, j);
+      const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
+      for (int i = 0; i < n_theta; ++i) {
+        s[i] += u[i] * s_x[i];
+        t[i] += u[i] * t_x[i];
+      }
+    }
+    for (int i = 0; i < n_theta; ++i)
+      summary.CFL = std::max(summary.CFL, (std::abs(s[i]) + std::abs(t[i])) * dt);
+  });
+  extend_pressure(state.p);
+  if (has_span) span_.differentiate(state.p, f_xi_);
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    gradient(metrics_, plane, state.p, has_span ? &f_xi_ : nullptr,
+             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y],
+              &gradient_[along_z]});
+  for (std::size_t c = 0; c < guess_.size(); ++c) {
+    std::ranges::fill(work_.values(), 0.0);
+    for (int plane = 0; plane < extent_.planes; ++plane)
+      add_convection(plane, C_s_, C_t_, guess_[c], upwinding_, work_);
+    if (has_span) {
+      span_.differentiate(guess_[c], f_xi_);
+      for_each_row(extent_, [&](int plane, int j) {
+        const double *u = guess_[along_x].row(plane, j), *f_xi = f_xi_.row(plane, j);
+        double* sum = work_.row(plane, j);
+        for (int i = 0; i < n_theta; ++i) sum[i] += u[i] * f_xi[i];
+      });
+      span_.dealias(work_);
+    }
+  // u_last is no longer needed but for the right side, which it becomes.
+    const bool has_gradient = c < gradient_.size();
+    std::size_t cell = 0;
+    for_each_row(extent_, [&](int plane, int j) {
+      const double *u = state.u[c].row(plane, j), *u_last = state.u_last[c].row(plane, j);
+      const double *convection = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+      const double* p_c = has_gradient ? gradient_[c].row(plane, j) : nullptr;
+      for (int i = 0; i < n_theta; ++i)
+        right_[cell++] = -volume[i] * (D.last * u[i] + D.before * u_last[i] + convection[i] +
+                                       (has_gradient ? p_c[i] : 0.0));
+    });
+    extend_velocity(state, static_cast<int>(c), guess_[c], true);
+    balance_of_gradient(guess_[c], true, balance_);
+    cell = 0;
+    for_each_row(extent_, [&](int plane, int j) {
+      const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
+      const double* volume = metrics_.volume.row(plane, j);
+      for (int i = 0; i < n_theta; ++i)
+        right_[cell++] -= D.next * volume[i] * f[i] - balance[i] / parameters_.Re;
+    });
+    std::ranges::fill(solution_, 0.0);
+    const KrylovSummary solved =
+        velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);
+    if (!solved.converged)
+      fail(state.t, fmt::format("the viscous solver stopped after {} iterations with an error of "
+                                "{:.3g}; a smaller dns.dt may help",
+                                solved.iterations, solved.residual));
+    summary.velocity_iterations = std::max(summary.velocity_iterations, solved.iterations);
+    cell = 0;
+    for_each_row(extent_, [&](int plane, int j) {
+      double* f = guess_[c].row(plane, j);
+      for (int i = 0; i < n_theta; ++i) f[i] += solution_[cell++];
+    });
+  }
+}
+
+// The pressure that makes the fluxes free of divergence, and the velocity with it.
+void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSummary& summary,
+                    bool is_start) {
+  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
+  const bool has_span = span_.has_span();
+  const double dt = 1 / D.next;
+  for (std::size_t c = 0; c < guess_.size(); ++c) {
+    if (!is_start && c < gradient_.size()) combine(1, guess_[c], dt, gradient_[c], guess_[c]);
+    for (int plane = 0; plane < extent_.planes; ++plane) guess_[c].wrap_theta(plane, 0, n_rho);
+  }
+  const Field<double>* u_x = has_span ? &guess_[along_x] : nullptr;
+  std::ranges::fill(balance_.values(), 0.0);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    velocity_flux(metrics_, plane, u_x, guess_[along_y], guess_[along_z], flux_rho_, flux_theta_);
+    const FaceMetrics<double>& faces = metrics_.rho_faces;
+    for (int i = 0; i < n_theta; ++i) {
+      const std::size_t face = static_cast<std::size_t>(plane * n_theta + i);
+      const auto outside = [&](const Field<double>& f) {
+        return 1.5 * f.row(plane, n_rho - 1)[i] - 0.5 * f.row(plane, n_rho - 2)[i];
+      };
+      double wall = faces.area_y.row(plane, 0)[i] * wall_velocity_[along_y][face] +
+                    faces.area_z.row(plane, 0)[i] * wall_velocity_[along_z][face];
+      double outer = faces.area_y.row(plane, n_rho)[i] * outside(guess_[along_y]) +
+                     faces.area_z.row(plane, n_rho)[i] * outside(guess_[along_z]);
+      if (has_span) {
+        wall += faces.area_x.row(plane, 0)[i] * wall_velocity_[along_x][face];
+        outer += faces.area_x.row(plane, n_rho)[i] * outside(guess_[along_x]);
+      }
+      flux_rho_.row(plane, 0)[i] = wall;
+      flux_rho_.row(plane, n_rho)[i] = outer;
+    }
+    add_balance(plane, flux_rho_, flux_theta_, balance_);
+  }
+  if (has_span) {
+    for_each_row(extent_, [&](int plane, int j) {
+      const double *u = u_x->row(plane, j), *volume = metrics_.volume.row(plane, j);
+      double* flux = x_flux_.row(plane, j);
+      for (int i = 0; i < n_theta; ++i) flux[i] = volume[i] * u[i];
+    });
+    span_.differentiate(x_flux_, x_flux_);
+    combine(1, balance_, 1, x_flux_, balance_);
+  }
+  pack(balance_, right_.data());
+  for (double& b : right_) b /= dt;
+  if (is_start) {
+    std::ranges::fill(solution_, 0.0);
+  } else {
+    combine(D.guess_last, state.p, D.guess_before, state.p_last, f_);
+    pack(f_, solution_.data());
+  }
+  const KrylovSummary solved =
+      pressure_.solve(right_.data(), solution_.data(), tolerances_.pressure);
+  if (!solved.converged)
+    fail(state.t, fmt::format("the pressure solver stopped after {} iterations with an error of "
+                              "{:.3g}; a smaller dns.dt or a finer grid may help",
+                              solved.iterations, solved.residual));
+  summary.pressure_iterations += solved.iterations;
+  std::swap(state.p, state.p_last);
+  unpack(solution_.data(), state.p);
+  extend_pressure(state.p);
+  if (has_span) span_.differentiate(state.p, f_xi_);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    const Field<double>* p_xi = has_span ? &f_xi_ : nullptr;
+    gradient_flux(metrics_, plane, state.p, p_xi, work_, C_s_);
+    for (int j = 0; j <= n_rho; ++j) {
+      double *rho = flux_rho_.row(plane, j), *theta = flux_theta_.row(plane, j);
+      const double *p_rho = work_.row(plane, j), *p_theta = C_s_.row(plane, j);
+      if (j > 0)
+        for (int i = 0; i < n_theta; ++i) rho[i] -= dt * p_rho[i];
+      if (j < n_rho)
+        for (int i = 0; i <= n_theta; ++i) theta[i] -= dt * p_theta[i];
+    }
+    gradient(metrics_, plane, state.p, p_xi,
+             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y],
+              &gradient_[along_z]});
+    const double* outer = flux_rho_.row(plane, n_rho);
+    for (int i = 0; i < n_theta; ++i)
+      state.is_inflow[static_cast<std::size_t>(plane * n_theta + i)] = outer[i] < 0;
+  }
+  for (std::size_t c = 0; c < guess_.size(); ++c) {
+    std::swap(state.u_last[c], state.u[c]);
+    if (c < gradient_.size())
+      combine(1, guess_[c], -dt, gradient_[c], state.u[c]);
+    else
+      state.u[c] = guess_[c];
+  }
+}
+
+FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
+  FluidState state;
+  state.t = t;
+  state.grid.assign(3, Displacement<double>(extent_));
+  wall(t, wall_);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    const std::size_t first = static_cast<std::size_t>(plane) *
+                              static_cast<std::size_t>(extent_.n_theta);
+    constexpr int most_passes = 300;
+    const EllipticGridSummary found =
+        elliptic_.follow(plane, wall_.y.data() + first, wall_.z.data() + first, state.grid[0],
+                         tolerances_.grid, most_passes);
+    if (!(found.least_area > 0))
+      fail(t, fmt::format("no grid fits the flag in the plane x = {:.4g}", span_.x(plane)));
+  }
+  state.grid[1] = state.grid[0];
+  state.grid[2] = state.grid[0];
+  update_all_metrics(state.grid[0]);
+  for (int c = 0; c < components_; ++c) {
+    state.u.emplace_back(extent_, stream(c));
+    state.u_last.emplace_back(extent_, stream(c));
+    guess_[static_cast<std::size_t>(c)] = state.u.back();
+    std::ranges::fill(wall_velocity_[static_cast<std::size_t>(c)], 0.0);
+  }
+  state.p = state.p_last = Field<double>(extent_);
+  state.is_inflow.resize(static_cast<std::size_t>(extent_.planes * extent_.n_theta));
+  FluidStepSummary summary;
+  BackwardDifference unit(1, 0);
+  project(state, unit, summary, true);
+  std::ranges::fill(state.p.values(), 0.0);
+  state.u_last = state.u;
+  return state;
+}
+
+FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, double dt) {
+  const BackwardDifference D(dt, state.previous_dt);
+  FluidStepSummary summary;
+  move_grid(state, wall, D, state.t + dt, summary);
+  predict(state, D, summary);
+  project(state, D, summary, false);
+  state.t += dt;
+  state.previous_dt = dt;
+  return summary;
+}
+
+}  // namespace pennon::dns

@@ -1,0 +1,147 @@
+/// The incompressible Navier-Stokes equations (2.4), (2.5) about the flag, on the grid that moves
+/// with it, by (3.2):
+///
+///   D_t v + ((v - v_g) . grad) v = - grad p + 1/Re lap v,     div v = 0,
+///
+/// D_t the backward difference at fixed grid coordinates, v_g the grid's velocity by the same
+/// difference. Velocities and pressure at cell centres, div v = 0 for the fluxes through the faces.
+/// docs/theory/fluid.md derives the discrete equations.
+///
+/// Scales: L, V, rho_f. Order 2 in space and time.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "dns/backward_difference.hpp"
+#include "dns/elliptic_grid.hpp"
+#include "dns/field.hpp"
+#include "dns/krylov.hpp"
+#include "dns/metrics.hpp"
+#include "dns/o_grid.hpp"
+#include "dns/span.hpp"
+#include "dns/stencils.hpp"
+
+namespace pennon::dns {
+
+struct FluidParameters {
+  double Re = 1000;
+  double U = 0;  ///< cross-flow, over V
+};
+
+struct FluidTolerances {
+  double pressure = 1e-6;   ///< root mean square error of the pressure left by a step, rho_f V^2
+  double velocity = 1e-8;   ///< the same of the velocity, V
+  double grid = 1e-6;       ///< last change of a corner, L
+  int most_grid_passes = 20;
+};
+
+/// Where the wall is: the displacement of the flag from rest at the corners of the grid, for each
+/// plane n_theta numbers (Displacement's row 0).
+struct WallShape {
+  std::vector<double> y, z;
+};
+using WallMotion = std::function<void(double t, WallShape&)>;
+
+/// What is advanced, saved and restarted.
+struct FluidState {
+  double t = 0;
+  double previous_dt = 0;             ///< 0: the next step is the first
+  std::vector<Field<double>> u;       ///< velocity: y, z and, where the case has it, x
+  std::vector<Field<double>> u_last;  ///< one step before
+  Field<double> p, p_last;
+  std::vector<Displacement<double>> grid;  ///< now, one and two steps before
+  std::vector<bool> is_inflow;             ///< of the outer faces, plane by plane
+};
+
+struct FluidStepSummary {
+  int pressure_iterations = 0;
+  int velocity_iterations = 0;  ///< the most of a component
+  int grid_passes = 0;          ///< the most of a plane
+  double least_area = 1;        ///< of a cell, over its area at rest
+  double CFL = 0;               ///< largest Courant number, sum over the directions
+  double divergence = 0;        ///< root mean square of what is left, V/L
+};
+
+class Fluid {
+ public:
+  /// `span`: one plane for two dimensions, which carries a third velocity only if U is not zero.
+  Fluid(const OGrid&, Span, const FluidParameters&, const FluidTolerances&,
+        const Upwinding& = kawamura_kuwahara);
+
+  const OGrid& grid() const { return grid_; }
+  const Span& span() const { return span_; }
+  const FluidParameters& parameters() const { return parameters_; }
+  const Extent& extent() const { return extent_; }
+  int components() const { return components_; }
+  const Metrics<double>& metrics() const { return metrics_; }
+
+  /// The uniform stream about the flag where `wall` has it at t, made free of divergence: an
+  /// impulsive start.
+  FluidState impulsive_start(const WallMotion& wall, double t);
+
+  /// Advances by dt. Throws SolverError with the time, and the place where it has one, if the grid
+  /// folds, a solver does not converge or the velocity is not finite.
+  FluidStepSummary advance(FluidState&, const WallMotion& wall, double dt);
+
+  /// The grid velocity and the wall's, of the last step.
+  const Field<double>& grid_velocity_y() const { return grid_velocity_y_; }
+  const Field<double>& grid_velocity_z() const { return grid_velocity_z_; }
+  /// Components as in FluidState::u, n_theta numbers for each plane.
+  const std::vector<std::vector<double>>& wall_velocity() const { return wall_velocity_; }
+  /// Fluxes area . u through the faces, free of divergence.
+  const Field<double>& flux_across_rho() const { return flux_rho_; }
+  const Field<double>& flux_across_theta() const { return flux_theta_; }
+
+  /// Fills the ghosts of a velocity component for convection, or (is_viscous) for the gradient's
+  /// flux: at the flag its velocity, outside the stream.
+  void extend_velocity(const FluidState&, int component, Field<double>& f, bool is_viscous) const;
+  void extend_pressure(Field<double>& p) const;
+  /// Makes the metrics those of the state's grid: after a restart.
+  void adopt_grid(const FluidState&);
+
+ private:
+  struct GridStep;
+  double stream(int component) const;
+  void move_grid(FluidState&, const WallMotion&, const BackwardDifference&, double t,
+                 FluidStepSummary&);
+  void predict(FluidState&, const BackwardDifference&, FluidStepSummary&);
+  void project(FluidState&, const BackwardDifference&, FluidStepSummary&, bool is_start);
+  void balance_of_gradient(const Field<double>& f, bool with_wall_flux, Field<double>& balance);
+  void pressure_operator(const double* in, double* out);
+  void invert_flat_pressure(const double* in, double* out);
+  void velocity_operator(const double* in, double* out);
+  void prepare_lines();
+  void invert_lines(const double* in, double* out) const;
+  void update_all_metrics(const Displacement<double>&);
+  [[noreturn]] void fail(double t, const std::string& what) const;
+
+  OGrid grid_;
+  Span span_;
+  FluidParameters parameters_;
+  FluidTolerances tolerances_;
+  Upwinding upwinding_;
+  Extent extent_;
+  int components_;
+  EllipticGrid elliptic_;
+  Metrics<double> metrics_;
+  std::vector<SeparableSolver> flat_;  // of each wavenumber 0 .. M/2
+  Krylov pressure_, velocity_;
+
+  double next_weight_ = 0;  // of the backward difference, for the implicit viscosity
+  std::vector<bool> is_inflow_;
+  WallShape wall_;
+  std::vector<std::vector<double>> wall_velocity_;
+  std::vector<double> no_velocity_;
+  Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> inverse_flat_area_;
+  Field<double> grid_velocity_y_, grid_velocity_z_;
+  Field<double> flux_rho_, flux_theta_;
+  Displacement<double> slope_;
+  Field<double> f_, f_xi_, x_flux_, work_, balance_, C_s_, C_t_;
+  std::vector<Field<double>> guess_, gradient_;
+  Field<double> inverse_pivot_;
+  std::vector<double> packed_, right_, solution_;
+};
+
+}  // namespace pennon::dns

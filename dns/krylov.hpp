@@ -1,0 +1,43 @@
+/// A linear system without a matrix, by PETSc's Krylov methods: A x = b with a preconditioner M^-1.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace pennon::dns {
+
+struct KrylovSummary {
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0;  ///< root mean square of M^-1 (b - A x)
+};
+
+class Krylov {
+ public:
+  using Operator = std::function<void(const double* in, double* out)>;
+
+  struct Settings {
+    std::string name;  ///< also the prefix of PETSc's options, as -pressure_ksp_type
+    int most_iterations = 100;
+    int restart = 30;
+  };
+
+  /// `unknowns` of this rank. The method is GMRES unless PETSc's options say otherwise.
+  Krylov(std::size_t unknowns, const Settings&, Operator A, Operator inverse_M);
+  ~Krylov();
+  Krylov(const Krylov&) = delete;
+  Krylov& operator=(const Krylov&) = delete;
+
+  /// From the guess in x, until the root mean square of M^-1 (b - A x), an estimate of x's error,
+  /// is below `tolerance`. Throws what the operators throw, and SolverError where PETSc fails; not
+  /// to converge is no failure here.
+  KrylovSummary solve(const double* b, double* x, double tolerance);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace pennon::dns

@@ -1,0 +1,51 @@
+/// The span as Fourier sees it: planes x_m = m S/M, m = 0 .. M - 1, of a function of period S. One
+/// plane: two dimensions, and nothing to do.
+///
+/// Coefficients are real: plane m <= M/2 holds the cosine of wavenumber 2 pi m/S, plane M - m its
+/// sine. The highest wavenumber of an even number of planes is dropped: its sine cannot be seen, so
+/// that no derivative can be given it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "dns/field.hpp"
+
+namespace pennon::dns {
+
+class Span {
+ public:
+  /// `length`: S, in L; not used for one plane.
+  Span(int planes, double length);
+  ~Span();
+  Span(Span&&) noexcept;
+  Span& operator=(Span&&) noexcept;
+
+  int planes() const { return planes_; }
+  bool has_span() const { return planes_ > 1; }
+  double length() const { return length_; }
+  double x(int plane) const { return length_ * plane / planes_; }
+  /// Of the coefficients in a plane; negative for sines. 0 also where the coefficient is dropped.
+  double wavenumber(int plane) const;
+  bool is_dropped(int plane) const { return planes_ > 1 && 2 * plane == planes_; }
+
+  /// In place, `points` numbers in each plane, `stride` from one plane to the next.
+  void to_coefficients(double* values, std::size_t points, std::size_t stride) const;
+  void to_values(double* coefficients, std::size_t points, std::size_t stride) const;
+  /// The derivative by x at all points of a field, ghosts included.
+  void differentiate(const Field<double>& f, Field<double>& f_x) const;
+  /// Takes out the upper third of the wavenumbers: what a product of two fields would alias.
+  void dealias(Field<double>& f) const;
+
+ private:
+  struct Plans;
+  template <class Change>
+  void transform(const double* from, double* to, std::size_t points, std::size_t stride,
+                 const Change& change) const;
+
+  int planes_;
+  double length_;
+  std::unique_ptr<Plans> plans_;
+};
+
+}  // namespace pennon::dns
