@@ -101,12 +101,15 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       balance_(extent_),
       C_s_(extent_),
       C_t_(extent_),
-      inverse_pivot_(extent_) {
+      line_lower_(extent_),
+      line_pivot_(extent_),
+      line_upper_(extent_) {
   for (int m = 0; 2 * m <= span_.planes(); ++m)
     flat_.push_back(flat_pressure(grid, span_.wavenumber(m)));
   if (span_.has_span()) {
     f_xi_ = Field<double>(extent_);
     x_flux_ = Field<double>(extent_);
+    C_x_ = Field<double>(extent_);
   }
   no_velocity_.resize(static_cast<std::size_t>(extent_.n_theta));
   inverse_flat_area_.resize(extent_.n_rho, extent_.n_theta);
@@ -209,79 +212,104 @@ void Fluid::invert_flat_pressure(const double* in, double* out) {
   span_.to_values(out, plane_cells, plane_cells);
 }
 
-// next_weight V u - 1/Re (balance of u's gradient), u zero at the flag and in the stream.
+// next_weight V u + V (C . grad) u - 1/Re (balance of u's gradient), u zero at the flag and in the
+// stream.
 void Fluid::velocity_operator(const double* in, double* out) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   unpack(in, f_);
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    extend_to_wall(plane, no_velocity_.data(), f_);
-    extend_outward(plane, is_inflow_,
-                   static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta), 0.0, true,
-                   f_);
-    f_.wrap_theta(plane, -1, n_rho + 1);
-  }
+  const auto extend = [&](bool is_viscous) {
+    for (int plane = 0; plane < extent_.planes; ++plane) {
+      extend_to_wall(plane, no_velocity_.data(), f_);
+      extend_outward(plane, is_inflow_,
+                     static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta), 0.0,
+                     is_viscous, f_);
+      f_.wrap_theta(plane, -2, n_rho + 2);
+    }
+  };
+  extend(false);
+  convect(f_, work_);
+  extend(true);
   balance_of_gradient(f_, true, balance_);
   for_each_row(extent_, [&](int plane, int j) {
     const double *balance = balance_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+    const double* convection = work_.row(plane, j);
     for (int i = 0; i < n_theta; ++i, ++in, ++out)
-      *out = next_weight_ * volume[i] * *in - balance[i] / parameters_.Re;
+      *out = volume[i] * (next_weight_ * *in + convection[i]) - balance[i] / parameters_.Re;
   });
 }
 
-// The part of velocity_operator() on the lines theta = const, eliminated from the flag outward.
+// (C . grad) f, from f with its ghosts.
+void Fluid::convect(const Field<double>& f, Field<double>& result) {
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    for (int j = 0; j < extent_.n_rho; ++j)
+      std::fill_n(result.row(plane, j), extent_.n_theta, 0.0);
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    add_convection(plane, C_s_, C_t_, f, upwinding_, result);
+  if (!span_.has_span()) return;
+  span_.differentiate(f, f_xi_);
+  for_each_row(extent_, [&](int plane, int j) {
+    const double *u = C_x_.row(plane, j), *f_xi = f_xi_.row(plane, j);
+    double* sum = result.row(plane, j);
+    for (int i = 0; i < extent_.n_theta; ++i) sum[i] += u[i] * f_xi[i];
+  });
+}
+
+// velocity_operator() on the lines theta = const, with first-order upwind convection and without its
+// neighbours: eliminated from the flag outward.
 void Fluid::prepare_lines() {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const double nu = 1 / parameters_.Re;
   for_each_row(extent_, [&](int plane, int j) {
     const double* volume = metrics_.volume.row(plane, j);
+    const double *s = C_s_.row(plane, j), *t = C_t_.row(plane, j);
     const double *below = metrics_.rho_faces.along.row(plane, j),
-                 *above = metrics_.rho_faces.along.row(plane, j + 1);
-    const double* theta = metrics_.theta_faces.along.row(plane, j);
-    double* pivot = inverse_pivot_.row(plane, j);
-    const double* pivot_below = inverse_pivot_.row(plane, j - 1);
+                 *above = metrics_.rho_faces.along.row(plane, j + 1),
+                 *theta = metrics_.theta_faces.along.row(plane, j);
+    double *lower = line_lower_.row(plane, j), *pivot = line_pivot_.row(plane, j),
+           *upper = line_upper_.row(plane, j);
+    const double* upper_below = line_upper_.row(plane, j - 1);
     for (int i = 0; i < n_theta; ++i) {
-      const std::size_t face = static_cast<std::size_t>(plane * n_theta + i);
-      const double outer = j + 1 < n_rho || is_inflow_[face] ? above[i] : 0.0;
-      double diagonal = next_weight_ * volume[i] +
-                        nu * ((j == 0 ? 3.0 : 1.0) * below[i] + outer + theta[i] + theta[i + 1]);
-      if (j > 0) {  // the wall's one-sided difference takes a third of the second cell
-        const double upper_of_below =
-            -nu * (below[i] + (j == 1 ? metrics_.rho_faces.along.row(plane, 0)[i] / 3 : 0.0));
-        diagonal -= -nu * below[i] * upper_of_below * pivot_below[i];
+      const bool is_open = j + 1 == n_rho && !is_inflow_[static_cast<std::size_t>(plane * n_theta + i)];
+      const double outer = is_open ? 0.0 : above[i];
+      double diagonal = volume[i] * (next_weight_ + std::abs(s[i]) + std::abs(t[i])) +
+                        nu * (below[i] + outer + theta[i] + theta[i + 1]);
+      lower[i] = -nu * below[i] - volume[i] * std::max(s[i], 0.0);
+      upper[i] = -nu * above[i] + volume[i] * std::min(s[i], 0.0);
+      if (j == 0) {  // the wall's one-sided difference
+        diagonal += 2 * nu * below[i];
+        upper[i] -= nu * below[i] / 3;
+      } else {
+        diagonal -= lower[i] * upper_below[i];
       }
       pivot[i] = 1 / diagonal;
+      upper[i] *= pivot[i];
     }
   });
 }
 
 void Fluid::invert_lines(const double* in, double* out) const {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
-  const double nu = 1 / parameters_.Re;
   for (int plane = 0; plane < extent_.planes; ++plane) {
     const std::size_t first = static_cast<std::size_t>(plane) * extent_.cells_of_plane();
     const auto row = [&](auto* values, int j) {
       return values + first + static_cast<std::size_t>(j) * static_cast<std::size_t>(n_theta);
     };
     for (int j = 0; j < n_rho; ++j) {
-      const double *f = row(in, j), *below = metrics_.rho_faces.along.row(plane, j);
-      const double* pivot = inverse_pivot_.row(plane, j);
+      const double *f = row(in, j), *lower = line_lower_.row(plane, j);
+      const double* pivot = line_pivot_.row(plane, j);
       double* u = row(out, j);
       if (j == 0)
         for (int i = 0; i < n_theta; ++i) u[i] = f[i] * pivot[i];
       else
-        for (int i = 0; i < n_theta; ++i)
-          u[i] = (f[i] + nu * below[i] * row(out, j - 1)[i]) * pivot[i];
+        for (int i = 0; i < n_theta; ++i) u[i] = (f[i] - lower[i] * row(out, j - 1)[i]) * pivot[i];
     }
     for (int j = n_rho - 2; j >= 0; --j) {
-      const double *above = metrics_.rho_faces.along.row(plane, j + 1),
-                   *wall = metrics_.rho_faces.along.row(plane, 0);
-      const double *pivot = inverse_pivot_.row(plane, j), *next = row(out, j + 1);
-      const double share = j == 0 ? 1.0 / 3 : 0.0;
+      const double *upper = line_upper_.row(plane, j), *next = row(out, j + 1);
       double* u = row(out, j);
-      for (int i = 0; i < n_theta; ++i)
-        u[i] += nu * (above[i] + share * wall[i]) * pivot[i] * next[i];
+      for (int i = 0; i < n_theta; ++i) u[i] -= upper[i] * next[i];
     }
   }
+  if (span_.has_span()) span_.dealias(out, extent_.cells_of_plane(), extent_.cells_of_plane());
 }
 
 // --- The step -------------------------------------------------------------------------------------
@@ -301,15 +329,10 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
                       double t, FluidStepSummary& summary) {
   const int n_theta = extent_.n_theta;
   wall(t, wall_);
-  // The guess: the parabola through the last three grids (two where there are no three).
   std::rotate(state.grid.begin(), state.grid.end() - 1, state.grid.end());
   Displacement<double>&next = state.grid[0], &last = state.grid[1], &before = state.grid[2];
-  const auto extrapolate = [](Field<double>& f, const Field<double>& f1, const Field<double>& f2) {
-    for (std::size_t k = 0; k < f.values().size(); ++k)
-      f.values()[k] += 3 * (f1.values()[k] - f2.values()[k]);
-  };
-  extrapolate(next.y, last.y, before.y);
-  extrapolate(next.z, last.z, before.z);
+  combine(D.guess_last, last.y, D.guess_before, before.y, next.y);
+  combine(D.guess_last, last.z, D.guess_before, before.z, next.z);
   for (int plane = 0; plane < extent_.planes; ++plane) {
     const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
     const EllipticGridSummary found =
@@ -353,7 +376,6 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSum
   const bool has_span = span_.has_span();
   is_inflow_ = state.is_inflow;
   next_weight_ = D.next;
-  prepare_lines();
   for (std::size_t c = 0; c < guess_.size(); ++c) {
     combine(D.guess_last, state.u[c], D.guess_before, state.u_last[c], guess_[c]);
     extend_velocity(state, static_cast<int>(c), guess_[c], false);
@@ -380,6 +402,8 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSum
     for (int i = 0; i < n_theta; ++i)
       summary.CFL = std::max(summary.CFL, (std::abs(s[i]) + std::abs(t[i])) * dt);
   });
+  if (has_span) C_x_ = guess_[along_x];
+  prepare_lines();
   extend_pressure(state.p);
   if (has_span) span_.differentiate(state.p, f_xi_);
   for (int plane = 0; plane < extent_.planes; ++plane)
@@ -387,19 +411,7 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSum
              {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y],
               &gradient_[along_z]});
   for (std::size_t c = 0; c < guess_.size(); ++c) {
-    std::ranges::fill(work_.values(), 0.0);
-    for (int plane = 0; plane < extent_.planes; ++plane)
-      add_convection(plane, C_s_, C_t_, guess_[c], upwinding_, work_);
-    if (has_span) {
-      span_.differentiate(guess_[c], f_xi_);
-      for_each_row(extent_, [&](int plane, int j) {
-        const double *u = guess_[along_x].row(plane, j), *f_xi = f_xi_.row(plane, j);
-        double* sum = work_.row(plane, j);
-        for (int i = 0; i < n_theta; ++i) sum[i] += u[i] * f_xi[i];
-      });
-      span_.dealias(work_);
-    }
-  // u_last is no longer needed but for the right side, which it becomes.
+    convect(guess_[c], work_);
     const bool has_gradient = c < gradient_.size();
     std::size_t cell = 0;
     for_each_row(extent_, [&](int plane, int j) {

@@ -33,7 +33,7 @@ struct FluidParameters {
 struct FluidTolerances {
   double pressure = 1e-6;   ///< root mean square error of the pressure left by a step, rho_f V^2
   double velocity = 1e-8;   ///< the same of the velocity, V
-  double grid = 1e-6;       ///< last change of a corner, L
+  double grid = 1e-5;       ///< last change of a corner, L
   int most_grid_passes = 20;
 };
 
@@ -112,6 +112,7 @@ class Fluid {
   void pressure_operator(const double* in, double* out);
   void invert_flat_pressure(const double* in, double* out);
   void velocity_operator(const double* in, double* out);
+  void convect(const Field<double>& f, Field<double>& result);
   void prepare_lines();
   void invert_lines(const double* in, double* out) const;
   void update_all_metrics(const Displacement<double>&);
@@ -138,9 +139,10 @@ class Fluid {
   Field<double> grid_velocity_y_, grid_velocity_z_;
   Field<double> flux_rho_, flux_theta_;
   Displacement<double> slope_;
-  Field<double> f_, f_xi_, x_flux_, work_, balance_, C_s_, C_t_;
+  Field<double> f_, f_xi_, x_flux_, work_, balance_;
+  Field<double> C_x_, C_s_, C_t_;  // what carries the velocity: along x, in cells along s and t
   std::vector<Field<double>> guess_, gradient_;
-  Field<double> inverse_pivot_;
+  Field<double> line_lower_, line_pivot_, line_upper_;
   std::vector<double> packed_, right_, solution_;
 };
 

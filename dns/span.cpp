@@ -102,11 +102,10 @@ void Span::differentiate(const Field<double>& f, Field<double>& f_x) const {
   });
 }
 
-void Span::dealias(Field<double>& f) const {
+void Span::dealias(double* values, std::size_t points, std::size_t stride) const {
   if (!has_span()) return;
-  const std::size_t stride = f.values().size() / static_cast<std::size_t>(planes_);
   const int highest = (planes_ - 1) / 3;
-  transform(f.values().data(), f.values().data(), stride, stride, [&](double* columns) {
+  transform(values, values, points, stride, [&](double* columns) {
     fftw_execute_r2r(plans_->forward, columns, columns);
     for (int m = 0; m < planes_; ++m) {
       double* row = columns + static_cast<std::size_t>(m) * block;

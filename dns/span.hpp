@@ -35,7 +35,7 @@ class Span {
   /// The derivative by x at all points of a field, ghosts included.
   void differentiate(const Field<double>& f, Field<double>& f_x) const;
   /// Takes out the upper third of the wavenumbers: what a product of two fields would alias.
-  void dealias(Field<double>& f) const;
+  void dealias(double* values, std::size_t points, std::size_t stride) const;
 
  private:
   struct Plans;
