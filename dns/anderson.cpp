@@ -12,8 +12,7 @@ Anderson::Anderson(Eigen::Index n, int depth)
       last_x_(n),
       last_f_(n) {}
 
-void Anderson::advance(Eigen::Ref<Eigen::VectorXd> x,
-                       const Eigen::Ref<const Eigen::VectorXd>& f) {
+void Anderson::advance(Eigen::Ref<Eigen::VectorXd> x, const Eigen::Ref<const Eigen::VectorXd>& f) {
   const int depth = static_cast<int>(x_differences_.cols());
   if (has_last_) {
     if (kept_ == 0) next_ = 0;
@@ -36,8 +35,7 @@ void Anderson::advance(Eigen::Ref<Eigen::VectorXd> x,
   const Eigen::MatrixXd scaled = scale.asDiagonal() * gram * scale.asDiagonal();
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(scaled);
   factors.setThreshold(1e-12);
-  const Eigen::VectorXd right =
-      scale.cwiseProduct(f_differences_.leftCols(kept_).transpose() * f);
+  const Eigen::VectorXd right = scale.cwiseProduct(f_differences_.leftCols(kept_).transpose() * f);
   const Eigen::VectorXd weights = scale.cwiseProduct(factors.solve(right));
   x.noalias() -= x_differences_.leftCols(kept_) * weights;
   x.noalias() -= f_differences_.leftCols(kept_) * weights;

@@ -40,8 +40,9 @@ SeparableSolver flat_operator(const OGrid& grid) {
 
 EllipticGrid::Differences EllipticGrid::differences(double before, double behind) {
   const double sum = before + behind;
-  return {{-behind / (before * sum), (behind - before) / (before * behind), before / (behind * sum)},
-          {2 / (before * sum), -2 / (before * behind), 2 / (behind * sum)}};
+  return {
+      {-behind / (before * sum), (behind - before) / (before * behind), before / (behind * sum)},
+      {2 / (before * sum), -2 / (before * behind), 2 / (behind * sum)}};
 }
 
 EllipticGrid::EllipticGrid(const OGrid& grid)
@@ -54,8 +55,8 @@ EllipticGrid::EllipticGrid(const OGrid& grid)
   for (int j = 1; j < grid.n_rho(); ++j)
     along_rho_.push_back(differences(grid.rho_step(j - 1), grid.rho_step(j)));
   for (int i = 0; i < grid.n_theta(); ++i) {
-    const Differences theta = differences(
-        grid.theta_step((i + grid.n_theta() - 1) % grid.n_theta()), grid.theta_step(i));
+    const Differences theta =
+        differences(grid.theta_step((i + grid.n_theta() - 1) % grid.n_theta()), grid.theta_step(i));
     for (std::size_t k = 0; k < 3; ++k) {
       theta_first_[k].push_back(theta.first[k]);
       theta_second_[k].push_back(theta.second[k]);

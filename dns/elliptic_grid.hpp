@@ -3,8 +3,8 @@
 ///   |r_theta|^2 r_rhorho - 2 (r_rho . r_theta) r_rhotheta + |r_rho|^2 r_thetatheta = 0,
 ///
 /// that is, rho and theta stay harmonic functions of y and z (Winslow 1966), with r given on the
-/// flag and at rest on the outer boundary. It is solved for the displacement from the conformal grid,
-/// which satisfies it, so that the derivatives of the latter are exact. Second order.
+/// flag and at rest on the outer boundary. It is solved for the displacement from the conformal
+/// grid, which satisfies it, so that the derivatives of the latter are exact. Second order.
 ///
 /// The solution is iterated: each pass takes the residual, scaled, through the inverse of the flat
 /// operator d_rho^2 + d_theta^2, and Anderson's acceleration combines the last ones.
@@ -59,7 +59,8 @@ class EllipticGrid {
   double least_area(int plane, const Displacement<double>&) const;
 
  private:
-  struct Differences {  // of three neighbours: weights of the one before, the middle, the one behind
+  struct Differences {  // of three neighbours: weights of the one before, the middle, the one
+                        // behind
     double first[3], second[3];
   };
   static Differences differences(double before, double behind);

@@ -13,6 +13,8 @@ namespace {
 
 // The components of FluidState::u.
 constexpr int along_y = 0, along_z = 1, along_x = 2;
+// Which of x, y, z each of them is.
+constexpr std::array<std::size_t, 3> axis_of = {1, 2, 0};
 
 // The pressure's operator on the flat grid for one spanwise wavenumber, each cell's divided by
 // sR_j sTheta_i: see metrics.cpp for these, docs/theory/fluid.md for the derivation.
@@ -27,8 +29,8 @@ SeparableSolver flat_pressure(const OGrid& grid, double k) {
     along_rho.lower[j] = below / sR;
     along_rho.upper[j] = j + 1 < n_rho ? above / sR : 0;
     const double outer = j + 1 < n_rho ? 1 : 2;  // p = 0 on the face
-    along_rho.diagonal[j] = -(below + outer * above) / sR -
-                            k * k / 4 * std::pow(std::sinh(grid.rho_centre(j)), 2);
+    along_rho.diagonal[j] =
+        -(below + outer * above) / sR - k * k / 4 * std::pow(std::sinh(grid.rho_centre(j)), 2);
   }
   Eigen::VectorXd S(n_theta);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n_theta, n_theta);
@@ -37,8 +39,7 @@ SeparableSolver flat_pressure(const OGrid& grid, double k) {
     const double before = 1 / grid.theta_face_step(i), behind = 1 / grid.theta_face_step(i + 1);
     A(i, (i + n_theta - 1) % n_theta) += before;
     A(i, (i + 1) % n_theta) += behind;
-    A(i, i) -=
-        before + behind + S[i] * k * k / 4 * std::pow(std::sin(grid.theta_centre(i)), 2);
+    A(i, i) -= before + behind + S[i] * k * k / 4 * std::pow(std::sin(grid.theta_centre(i)), 2);
   }
   return {along_rho, ThetaBasis(S, A, k == 0 && grid.is_theta_uniform())};
 }
@@ -158,7 +159,8 @@ void Fluid::extend_pressure(Field<double>& p) const {
   }
 }
 
-// --- Operators ------------------------------------------------------------------------------------
+// --- Operators
+// ------------------------------------------------------------------------------------
 
 void Fluid::balance_of_gradient(const Field<double>& f, bool with_wall_flux,
                                 Field<double>& balance) {
@@ -171,7 +173,8 @@ void Fluid::balance_of_gradient(const Field<double>& f, bool with_wall_flux,
     gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance);
   if (!span_.has_span()) return;
   for_each_row(extent_, [&](int plane, int j) {
-    const double *below = f.row(plane, j - 1), *here = f.row(plane, j), *above = f.row(plane, j + 1);
+    const double *below = f.row(plane, j - 1), *here = f.row(plane, j),
+                 *above = f.row(plane, j + 1);
     const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
     const double *xi = f_xi_.row(plane, j), *volume = metrics_.volume.row(plane, j);
     double* flux = x_flux_.row(plane, j);
@@ -241,8 +244,7 @@ void Fluid::velocity_operator(const double* in, double* out) {
 // (C . grad) f, from f with its ghosts.
 void Fluid::convect(const Field<double>& f, Field<double>& result) {
   for (int plane = 0; plane < extent_.planes; ++plane)
-    for (int j = 0; j < extent_.n_rho; ++j)
-      std::fill_n(result.row(plane, j), extent_.n_theta, 0.0);
+    for (int j = 0; j < extent_.n_rho; ++j) std::fill_n(result.row(plane, j), extent_.n_theta, 0.0);
   for (int plane = 0; plane < extent_.planes; ++plane)
     add_convection(plane, C_s_, C_t_, f, upwinding_, result);
   if (!span_.has_span()) return;
@@ -254,8 +256,8 @@ void Fluid::convect(const Field<double>& f, Field<double>& result) {
   });
 }
 
-// velocity_operator() on the lines theta = const, with first-order upwind convection and without its
-// neighbours: eliminated from the flag outward.
+// velocity_operator() on the lines theta = const, with first-order upwind convection and without
+// its neighbours: eliminated from the flag outward.
 void Fluid::prepare_lines() {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const double nu = 1 / parameters_.Re;
@@ -269,7 +271,8 @@ void Fluid::prepare_lines() {
            *upper = line_upper_.row(plane, j);
     const double* upper_below = line_upper_.row(plane, j - 1);
     for (int i = 0; i < n_theta; ++i) {
-      const bool is_open = j + 1 == n_rho && !is_inflow_[static_cast<std::size_t>(plane * n_theta + i)];
+      const bool is_open =
+          j + 1 == n_rho && !is_inflow_[static_cast<std::size_t>(plane * n_theta + i)];
       const double outer = is_open ? 0.0 : above[i];
       double diagonal = volume[i] * (next_weight_ + std::abs(s[i]) + std::abs(t[i])) +
                         nu * (below[i] + outer + theta[i] + theta[i + 1]);
@@ -312,7 +315,8 @@ void Fluid::invert_lines(const double* in, double* out) const {
   if (span_.has_span()) span_.dealias(out, extent_.cells_of_plane(), extent_.cells_of_plane());
 }
 
-// --- The step -------------------------------------------------------------------------------------
+// --- The step
+// -------------------------------------------------------------------------------------
 
 void Fluid::update_all_metrics(const Displacement<double>& displacement) {
   if (span_.has_span()) {
@@ -323,7 +327,9 @@ void Fluid::update_all_metrics(const Displacement<double>& displacement) {
     update_metrics(grid_, plane, displacement, span_.has_span() ? &slope_ : nullptr, metrics_);
 }
 
-void Fluid::adopt_grid(const FluidState& state) { update_all_metrics(state.grid.front()); }
+void Fluid::adopt_grid(const FluidState& state) {
+  update_all_metrics(state.grid.front());
+}
 
 void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardDifference& D,
                       double t, FluidStepSummary& summary) {
@@ -341,9 +347,10 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
     summary.grid_passes = std::max(summary.grid_passes, found.passes);
     summary.least_area = std::min(summary.least_area, found.least_area);
     if (!(found.least_area > 0))
-      fail(t, fmt::format("the grid folds in the plane x = {:.4g}: a cell has {:.3g} of its area at "
-                          "rest; the flag bends too sharply for n_theta = {}",
-                          span_.x(plane), found.least_area, n_theta));
+      fail(t,
+           fmt::format("the grid folds in the plane x = {:.4g}: a cell has {:.3g} of its area at "
+                       "rest; the flag bends too sharply for n_theta = {}",
+                       span_.x(plane), found.least_area, n_theta));
   }
   update_all_metrics(next);
   const auto velocity_of = [&](const Field<double>& d0, const Field<double>& d1,
@@ -368,10 +375,41 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
   };
   velocity_of(next.y, last.y, before.y, grid_velocity_y_, wall_velocity_[along_y]);
   velocity_of(next.z, last.z, before.z, grid_velocity_z_, wall_velocity_[along_z]);
+  if (!manufactured_.wall_velocity) return;
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    for (int i = 0; i < n_theta; ++i) {
+      const std::complex<double> rest = OGrid::place(0, grid_.theta_centre(i));
+      const double *y = next.y.row(plane, 0) + i, *z = next.z.row(plane, 0) + i;
+      const std::array<double, 3> velocity = manufactured_.wall_velocity(
+          t, span_.x(plane), rest.real() + 0.5 * (y[0] + y[1]), rest.imag() + 0.5 * (z[0] + z[1]));
+      for (std::size_t c = 0; c < wall_velocity_.size(); ++c)
+        wall_velocity_[c][static_cast<std::size_t>(plane * n_theta + i)] = velocity[axis_of[c]];
+    }
+}
+
+std::array<double, 2> Fluid::centre(const FluidState& state, int plane, int j, int i) const {
+  const std::complex<double> rest = OGrid::place(grid_.rho_centre(j), grid_.theta_centre(i));
+  const auto mean = [&](const Field<double>& d) {
+    const double *below = d.row(plane, j) + i, *above = d.row(plane, j + 1) + i;
+    return 0.25 * (below[0] + below[1] + above[0] + above[1]);
+  };
+  return {rest.real() + mean(state.grid[0].y), rest.imag() + mean(state.grid[0].z)};
+}
+
+void Fluid::add_force(const FluidState& state, std::size_t component, double t) {
+  std::size_t cell = 0;
+  for_each_row(extent_, [&](int plane, int j) {
+    for (int i = 0; i < extent_.n_theta; ++i) {
+      const auto [y, z] = centre(state, plane, j, i);
+      right_[cell++] += metrics_.volume.row(plane, j)[i] *
+                        manufactured_.force(t, span_.x(plane), y, z)[axis_of[component]];
+    }
+  });
 }
 
 // The velocity without the new pressure: convection extrapolated, viscosity implicit.
-void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSummary& summary) {
+void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
+                    FluidStepSummary& summary) {
   const int n_theta = extent_.n_theta;
   const bool has_span = span_.has_span();
   is_inflow_ = state.is_inflow;
@@ -386,21 +424,21 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSum
     const double *v_g = grid_velocity_y_.row(plane, j), *w_g = grid_velocity_z_.row(plane, j);
     const double *s_y = metrics_.s_y.row(plane, j), *s_z = metrics_.s_z.row(plane, j);
     const double *t_y = metrics_.t_y.row(plane, j), *t_z = metrics_.t_z.row(plane, j);
-    double *s = C_s_.row(plane, j), *t = C_t_.row(plane, j);
+    double *C_s = C_s_.row(plane, j), *C_t = C_t_.row(plane, j);
     for (int i = 0; i < n_theta; ++i) {
-      s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
-      t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
+      C_s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
+      C_t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
     }
     if (has_span) {
       const double* u = guess_[along_x].row(plane, j);
       const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
       for (int i = 0; i < n_theta; ++i) {
-        s[i] += u[i] * s_x[i];
-        t[i] += u[i] * t_x[i];
+        C_s[i] += u[i] * s_x[i];
+        C_t[i] += u[i] * t_x[i];
       }
     }
     for (int i = 0; i < n_theta; ++i)
-      summary.CFL = std::max(summary.CFL, (std::abs(s[i]) + std::abs(t[i])) * dt);
+      summary.CFL = std::max(summary.CFL, (std::abs(C_s[i]) + std::abs(C_t[i])) * dt);
   });
   if (has_span) C_x_ = guess_[along_x];
   prepare_lines();
@@ -408,8 +446,7 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSum
   if (has_span) span_.differentiate(state.p, f_xi_);
   for (int plane = 0; plane < extent_.planes; ++plane)
     gradient(metrics_, plane, state.p, has_span ? &f_xi_ : nullptr,
-             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y],
-              &gradient_[along_z]});
+             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   for (std::size_t c = 0; c < guess_.size(); ++c) {
     convect(guess_[c], work_);
     const bool has_gradient = c < gradient_.size();
@@ -422,6 +459,7 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSum
         right_[cell++] = -volume[i] * (D.last * u[i] + D.before * u_last[i] + convection[i] +
                                        (has_gradient ? p_c[i] : 0.0));
     });
+    if (manufactured_.force) add_force(state, c, t);
     extend_velocity(state, static_cast<int>(c), guess_[c], true);
     balance_of_gradient(guess_[c], true, balance_);
     cell = 0;
@@ -520,8 +558,7 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
         for (int i = 0; i <= n_theta; ++i) theta[i] -= dt * p_theta[i];
     }
     gradient(metrics_, plane, state.p, p_xi,
-             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y],
-              &gradient_[along_z]});
+             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
     const double* outer = flux_rho_.row(plane, n_rho);
     for (int i = 0; i < n_theta; ++i)
       state.is_inflow[static_cast<std::size_t>(plane * n_theta + i)] = outer[i] < 0;
@@ -541,8 +578,8 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   state.grid.assign(3, Displacement<double>(extent_));
   wall(t, wall_);
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    const std::size_t first = static_cast<std::size_t>(plane) *
-                              static_cast<std::size_t>(extent_.n_theta);
+    const std::size_t first =
+        static_cast<std::size_t>(plane) * static_cast<std::size_t>(extent_.n_theta);
     constexpr int most_passes = 300;
     const EllipticGridSummary found =
         elliptic_.follow(plane, wall_.y.data() + first, wall_.z.data() + first, state.grid[0],
@@ -573,7 +610,7 @@ FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, doubl
   const BackwardDifference D(dt, state.previous_dt);
   FluidStepSummary summary;
   move_grid(state, wall, D, state.t + dt, summary);
-  predict(state, D, summary);
+  predict(state, D, state.t + dt, summary);
   project(state, D, summary, false);
   state.t += dt;
   state.previous_dt = dt;

@@ -100,8 +100,7 @@ struct Writer {
     const Pair<Scalar> d_t = d(j, i + 1) - d(j, i);
     const Gradients<Scalar> gradients(pair_of<Scalar>(Z * grid.rho_face_step(j)) + d_s,
                                       pair_of<Scalar>(I * Z * grid.theta_step(i)) + d_t);
-    const Pair<Scalar> edge =
-        pair_of<Scalar>(2.0 * I * Z * std::sin(grid.theta_step(i) / 2)) + d_t;
+    const Pair<Scalar> edge = pair_of<Scalar>(2.0 * I * Z * std::sin(grid.theta_step(i) / 2)) + d_t;
     face(metrics.rho_faces, j, i, edge, 1, gradients.s, gradients.t, mean_slope(j, i, j, i + 1));
   }
 
@@ -109,13 +108,11 @@ struct Writer {
     const std::complex<double> Z = OGrid::slope(grid.rho_centre(j), grid.theta(i));
     constexpr std::complex<double> I(0, 1);
     const Pair<Scalar> d_s = d(j + 1, i) - d(j, i);
-    const Pair<Scalar> d_t =
-        0.25 * (d(j, i + 1) + d(j + 1, i + 1) - d(j, i - 1) - d(j + 1, i - 1));
+    const Pair<Scalar> d_t = 0.25 * (d(j, i + 1) + d(j + 1, i + 1) - d(j, i - 1) - d(j + 1, i - 1));
     const Gradients<Scalar> gradients(pair_of<Scalar>(Z * grid.rho_step(j)) + d_s,
                                       pair_of<Scalar>(I * Z * grid.theta_face_step(i)) + d_t);
     const Pair<Scalar> edge = pair_of<Scalar>(2.0 * Z * std::sinh(grid.rho_step(j) / 2)) + d_s;
-    face(metrics.theta_faces, j, i, edge, -1, gradients.t, gradients.s,
-         mean_slope(j, i, j + 1, i));
+    face(metrics.theta_faces, j, i, edge, -1, gradients.t, gradients.s, mean_slope(j, i, j + 1, i));
   }
 
   void cell(int j, int i) const {
@@ -138,8 +135,8 @@ struct Writer {
       metrics.t_x.row(plane, j)[i] = -dot(gradients.t, r_xi);
     }
     // The area between the corners is half the cross product of the diagonals. That at rest is
-    // ... sinh(d_rho) sin(d_theta); the product that the flat solver inverts, equal to second order,
-    // stands for it. The difference does not change along x.
+    // ... sinh(d_rho) sin(d_theta); the product that the flat solver inverts, equal to second
+    // order, stands for it. The difference does not change along x.
     const std::complex<double> half_step(d_rho / 2, d_theta / 2);
     const Pair<Scalar> a = pair_of<Scalar>(2.0 * Z * std::sinh(half_step));
     const Pair<Scalar> b = pair_of<Scalar>(-2.0 * Z * std::sinh(std::conj(half_step)));

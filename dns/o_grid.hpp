@@ -38,9 +38,9 @@ class OGrid {
   /// Of cell centres: midpoints.
   double rho_centre(int j) const { return (rho(j) + rho(j + 1)) / 2; }
   double theta_centre(int i) const { return (theta(i) + theta(i + 1)) / 2; }
-  /// d rho/d(index) and d theta/d(index): in the cells, and between the centres across the faces. At
-  /// the wall as the one-sided difference of second order takes it, at the outer boundary twice the
-  /// distance to the centre of the cell.
+  /// d rho/d(index) and d theta/d(index): in the cells, and between the centres across the faces.
+  /// At the wall as the one-sided difference of second order takes it, at the outer boundary twice
+  /// the distance to the centre of the cell.
   double rho_step(int j) const { return rho(j + 1) - rho(j); }
   double theta_step(int i) const { return theta(i + 1) - theta(i); }
   double rho_face_step(int j) const;

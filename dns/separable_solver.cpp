@@ -208,8 +208,8 @@ SeparableSolver::SeparableSolver(const Tridiagonal& along_rho, ThetaBasis along_
 void SeparableSolver::solve(double* values) {
   const Eigen::Index n_rho = inverse_pivot_.rows(), n_theta = inverse_pivot_.cols();
   basis_.to_coefficients(values, static_cast<int>(n_rho));
-  Eigen::Map<Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> f(
-      values, n_rho, n_theta);
+  Eigen::Map<Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> f(values, n_rho,
+                                                                                      n_theta);
   f.row(0) *= inverse_pivot_.row(0);
   for (Eigen::Index j = 1; j < n_rho; ++j)
     f.row(j) = (f.row(j) - lower_[j] * f.row(j - 1)) * inverse_pivot_.row(j);

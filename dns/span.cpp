@@ -77,9 +77,8 @@ void Span::to_coefficients(double* values, std::size_t points, std::size_t strid
 
 void Span::to_values(double* coefficients, std::size_t points, std::size_t stride) const {
   if (!has_span()) return;
-  transform(coefficients, coefficients, points, stride, [&](double* columns) {
-    fftw_execute_r2r(plans_->backward, columns, columns);
-  });
+  transform(coefficients, coefficients, points, stride,
+            [&](double* columns) { fftw_execute_r2r(plans_->backward, columns, columns); });
 }
 
 void Span::differentiate(const Field<double>& f, Field<double>& f_x) const {
@@ -88,7 +87,8 @@ void Span::differentiate(const Field<double>& f, Field<double>& f_x) const {
     fftw_execute_r2r(plans_->forward, columns, columns);
     const auto row = [&](int m) { return columns + static_cast<std::size_t>(m) * block; };
     std::fill_n(row(0), block, 0.0);
-    for (int m = 1; 2 * m < planes_; ++m) {  // c cos + s sin (as Re, Im of c + i s) -> i k (c + i s)
+    for (int m = 1; 2 * m < planes_;
+         ++m) {  // c cos + s sin (as Re, Im of c + i s) -> i k (c + i s)
       const double k = wavenumber(m) / planes_;
       double *cosine = row(m), *sine = row(planes_ - m);
       for (std::size_t b = 0; b < block; ++b) {

@@ -1,6 +1,6 @@
 /// The spatial operators of the fluid on a plane of the moving O-grid, of second order but for
-/// convection. Fields at cell centres come with their ghosts filled (dns/ghosts.hpp); what depends on
-/// x comes in as derivatives by xi, null where there is no span.
+/// convection. Fields at cell centres come with their ghosts filled (dns/ghosts.hpp); what depends
+/// on x comes in as derivatives by xi, null where there is no span.
 ///
 /// Integrals over a cell (per unit of x) are given as such: divide by Metrics::volume for the mean.
 /// The sum of a divergence over the cells is the flux through the boundary, to rounding.
@@ -14,8 +14,8 @@
 
 namespace pennon::dns {
 
-/// How convection is differenced along s and t: fourth-order central differences and an upwind fourth
-/// difference with this factor times |C|/12, C the velocity across the cells.
+/// How convection is differenced along s and t: fourth-order central differences and an upwind
+/// fourth difference with this factor times |C|/12, C the velocity across the cells.
 struct Upwinding {
   double factor = 3;
   bool is_central = false;  ///< second-order central differences instead
@@ -77,8 +77,7 @@ void add_balance(int plane, const Field<Scalar>& across_rho, const Field<Scalar>
     const Scalar *below = across_rho.row(plane, j), *above = across_rho.row(plane, j + 1);
     const Scalar* theta = across_theta.row(plane, j);
     Scalar* out = sum.row(plane, j);
-    for (int i = 0; i < n_theta; ++i)
-      out[i] += above[i] - below[i] + theta[i + 1] - theta[i];
+    for (int i = 0; i < n_theta; ++i) out[i] += above[i] - below[i] + theta[i + 1] - theta[i];
   }
 }
 
@@ -162,7 +161,8 @@ void gradient(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
   }
 }
 
-/// C_s f_s + C_t f_t at the cells of a plane: f carried by the velocity (C_s, C_t) in cells per time.
+/// C_s f_s + C_t f_t at the cells of a plane: f carried by the velocity (C_s, C_t) in cells per
+/// time.
 template <class Scalar>
 void add_convection(int plane, const Field<Scalar>& C_s, const Field<Scalar>& C_t,
                     const Field<Scalar>& f, const Upwinding& upwinding, Field<Scalar>& result) {
@@ -187,7 +187,8 @@ void add_convection(int plane, const Field<Scalar>& C_s, const Field<Scalar>& C_
   }
 }
 
-/// area . u through the faces of a plane, from the velocity at the cells with ghosts: rows 1 .. n_rho
+/// area . u through the faces of a plane, from the velocity at the cells with ghosts: rows 1 ..
+/// n_rho
 /// - 1 across rho (the wall's and the outer ones are the boundary conditions' affair), all columns
 /// across theta. u_x null: no span.
 template <class Scalar>

@@ -5,3 +5,5 @@ pennon_test(test_flag_validation LABEL verification
             SOURCES verification/flag_plates.cpp verification/flag_lines.cpp
                     verification/flag_extremes.cpp verification/flag_in_vacuo.cpp
             LINK pennon::dns pennon::modes)
+pennon_test(test_fluid_verification LABEL verification
+            SOURCES verification/fluid_manufactured.cpp LINK pennon::dns)
