@@ -1,7 +1,7 @@
 /// Pictures of pennon's output files: what `pennon plot` does, and every command after its work.
 ///
 /// A file says what it holds in its attribute `kind`: lsa_curve, lsa_map, lsa_verdicts,
-/// normal_modes, flag_history, flag_shapes, flag_convergence.
+/// normal_modes, flag_history, flag_shapes, flag_convergence, fluid_history, fluid_fields.
 #pragma once
 
 #include <filesystem>

@@ -89,7 +89,7 @@ FlagLoads<dim> loads_of(const Settings& settings, const FlagParameters& paramete
 
 // The start: straight at an angle, or displaced with every chordwise segment at its length.
 template <int dim>
-NodeVectors<dim> initial_shape(const Settings& settings, const std::optional<Displacement>& zeta,
+NodeVectors<dim> initial_shape(const Settings& settings, const std::optional<ShapeFunction>& zeta,
                                const Flag<dim>& flag) {
   const FlagMesh& mesh = flag.mesh();
   NodeVectors<dim> x = flag.rest();
@@ -121,7 +121,7 @@ template <int dim>
 class FlagRun {
  public:
   FlagRun(const Settings& settings, const FlagParameters& parameters,
-          const std::optional<Displacement>& zeta, const OutputFolder& folder)
+          const std::optional<ShapeFunction>& zeta, const OutputFolder& folder)
       : settings_(settings),
         folder_(folder),
         flag_(mesh_of(settings, parameters), material_of(parameters)),
@@ -292,7 +292,7 @@ class FlagRun {
 
 template <int dim>
 RunResult run_in(const Settings& settings, const FlagParameters& parameters,
-                 const std::optional<Displacement>& zeta, const std::optional<fs::path>& restart,
+                 const std::optional<ShapeFunction>& zeta, const std::optional<fs::path>& restart,
                  const OutputFolder& folder, bool shows_progress) {
   const auto begin = std::chrono::steady_clock::now();
   FlagRun<dim> flag_run(settings, parameters, zeta, folder);
@@ -306,7 +306,7 @@ RunResult run_in(const Settings& settings, const FlagParameters& parameters,
 }  // namespace
 
 RunResult run(const Settings& settings, const FlagParameters& parameters,
-              const std::optional<Displacement>& zeta, const std::optional<fs::path>& restart,
+              const std::optional<ShapeFunction>& zeta, const std::optional<fs::path>& restart,
               const OutputFolder& folder, bool shows_progress) {
   if (parameters.gamma)
     return run_in<3>(settings, parameters, zeta, restart, folder, shows_progress);

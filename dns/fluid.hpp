@@ -75,7 +75,7 @@ class Fluid {
  public:
   /// `span`: one plane for two dimensions, which carries a third velocity only if U is not zero.
   Fluid(const OGrid&, Span, const FluidParameters&, const FluidTolerances&,
-        const Upwinding& = kawamura_kuwahara);
+        const Upwinding& = upwinding::kawamura_kuwahara);
 
   const OGrid& grid() const { return grid_; }
   const Span& span() const { return span_; }

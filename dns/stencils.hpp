@@ -20,9 +20,11 @@ struct Upwinding {
   double factor = 3;
   bool is_central = false;  ///< second-order central differences instead
 };
+namespace upwinding {
 inline constexpr Upwinding kawamura_kuwahara{3, false};  ///< Kawamura & Kuwahara (1984)
 inline constexpr Upwinding third_order{1, false};        ///< the least that is third-order upwind
 inline constexpr Upwinding central{0, true};
+}  // namespace upwinding
 
 /// |C| by the sign of the real part, so that complex steps pass through.
 template <class Scalar>
