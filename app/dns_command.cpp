@@ -6,6 +6,7 @@
 #include "analysis/plot.hpp"
 #include "app/commands.hpp"
 #include "common/errors.hpp"
+#include "common/ranks.hpp"
 #include "dns/flag_convergence.hpp"
 #include "dns/flag_run.hpp"
 #include "dns/fluid_run.hpp"
@@ -78,10 +79,10 @@ Answer run_fluid(const Case& the_case, const std::optional<std::filesystem::path
   const dns::FluidRunResult result = [&] {
     const auto timer = record.time("dns");
     return dns::run_fluid(the_case.dns, the_case.flag, the_case.flow, mode_of(the_case),
-                          checkpoint, folder, !options.quiet);
+                          checkpoint, folder, !options.quiet && ranks::is_leading());
   }();
   const auto timer = record.time("pictures");
-  analysis::plot(folder / "history.h5");
+  if (ranks::is_leading()) analysis::plot(folder / "history.h5");
   return {{{"dns", to_json(result)}},
           fmt::format("{}: the fluid about a flag that moves as prescribed\n{}", the_case.name,
                       text_of(result))};
@@ -112,6 +113,9 @@ void run_dns(const Options& options, const std::string& restart) {
                        "has [flow] but no [dns.motion]: a flag that the flow moves cannot be "
                        "simulated so far; give its motion, or leave [flow] out for the flag by "
                        "itself");
+    if (!the_case.has_flow && ranks::count() > 1)
+      throw InputError("mpiexec", fmt::format("started {} ranks, but a flag by itself runs on one",
+                                              ranks::count()));
     the_case.dns.is_given = true;
   };
   const auto work = [&](const Case& the_case, const OutputFolder& folder,

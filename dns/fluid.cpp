@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/errors.hpp"
+#include "common/ranks.hpp"
 #include "dns/ghosts.hpp"
 
 namespace pennon::dns {
@@ -80,7 +82,7 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       parameters_(parameters),
       tolerances_(tolerances),
       upwinding_(upwinding),
-      extent_{span_.planes(), grid.n_rho(), grid.n_theta()},
+      extent_{span_.local_planes(), grid.n_rho(), grid.n_theta()},
       components_(span_.has_span() || parameters.U != 0 ? 3 : 2),
       elliptic_(grid),
       metrics_(extent_, span_.has_span()),
@@ -105,8 +107,10 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       line_lower_(extent_),
       line_pivot_(extent_),
       line_upper_(extent_) {
-  for (int m = 0; 2 * m <= span_.planes(); ++m)
-    flat_.push_back(flat_pressure(grid, span_.wavenumber(m)));
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    if (const int waves = span_.waves(plane); !span_.is_dropped(plane) && !flat_.contains(waves))
+      flat_.emplace(waves,
+                    flat_pressure(grid, Span::wavenumber(waves, span_.planes(), span_.length())));
   if (span_.has_span()) {
     f_xi_ = Field<double>(extent_);
     x_flux_ = Field<double>(extent_);
@@ -210,7 +214,7 @@ void Fluid::invert_flat_pressure(const double* in, double* out) {
     double* value = values;
     for (int j = 0; j < extent_.n_rho; ++j)
       for (int i = 0; i < extent_.n_theta; ++i) *value++ *= inverse_flat_area_(j, i);
-    flat_[static_cast<std::size_t>(std::min(plane, extent_.planes - plane))].solve(values);
+    flat_.at(span_.waves(plane)).solve(values);
   }
   span_.to_values(out, plane_cells, plane_cells);
 }
@@ -339,6 +343,7 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
   Displacement<double>&next = state.grid[0], &last = state.grid[1], &before = state.grid[2];
   combine(D.guess_last, last.y, D.guess_before, before.y, next.y);
   combine(D.guess_last, last.z, D.guess_before, before.z, next.z);
+  double folded = std::numeric_limits<double>::quiet_NaN();  // x of a plane where it does
   for (int plane = 0; plane < extent_.planes; ++plane) {
     const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
     const EllipticGridSummary found =
@@ -346,12 +351,12 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
                          tolerances_.grid, tolerances_.most_grid_passes);
     summary.grid_passes = std::max(summary.grid_passes, found.passes);
     summary.least_area = std::min(summary.least_area, found.least_area);
-    if (!(found.least_area > 0))
-      fail(t,
-           fmt::format("the grid folds in the plane x = {:.4g}: a cell has {:.3g} of its area at "
-                       "rest; the flag bends too sharply for n_theta = {}",
-                       span_.x(plane), found.least_area, n_theta));
+    if (!(found.least_area > 0)) folded = span_.x(plane);
   }
+  if (ranks::any(!std::isnan(folded)))
+    fail(t, fmt::format("the grid folds in the plane x = {:.4g}: the flag bends too sharply for "
+                        "dns.n_theta = {}, or moves too far in a step of dns.dt",
+                        ranks::largest(std::isnan(folded) ? -1 : folded), n_theta));
   update_all_metrics(next);
   const auto velocity_of = [&](const Field<double>& d0, const Field<double>& d1,
                                const Field<double>& d2, Field<double>& at_cells,
@@ -577,6 +582,7 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   state.t = t;
   state.grid.assign(3, Displacement<double>(extent_));
   wall(t, wall_);
+  bool fits = true;
   for (int plane = 0; plane < extent_.planes; ++plane) {
     const std::size_t first =
         static_cast<std::size_t>(plane) * static_cast<std::size_t>(extent_.n_theta);
@@ -584,9 +590,9 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
     const EllipticGridSummary found =
         elliptic_.follow(plane, wall_.y.data() + first, wall_.z.data() + first, state.grid[0],
                          tolerances_.grid, most_passes);
-    if (!(found.least_area > 0))
-      fail(t, fmt::format("no grid fits the flag in the plane x = {:.4g}", span_.x(plane)));
+    fits = fits && found.least_area > 0;
   }
+  if (ranks::any(!fits)) fail(t, "no grid fits the flag: it bends too sharply for dns.n_theta");
   state.grid[1] = state.grid[0];
   state.grid[2] = state.grid[0];
   update_all_metrics(state.grid[0]);
@@ -612,6 +618,9 @@ FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, doubl
   move_grid(state, wall, D, state.t + dt, summary);
   predict(state, D, state.t + dt, summary);
   project(state, D, summary, false);
+  summary.CFL = ranks::largest(summary.CFL);
+  summary.least_area = ranks::least(summary.least_area);
+  summary.grid_passes = static_cast<int>(ranks::largest(summary.grid_passes));
   state.t += dt;
   state.previous_dt = dt;
   return summary;

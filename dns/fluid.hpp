@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "dns/backward_difference.hpp"
@@ -139,7 +140,7 @@ class Fluid {
   int components_;
   EllipticGrid elliptic_;
   Metrics<double> metrics_;
-  std::vector<SeparableSolver> flat_;  // of each wavenumber 0 .. M/2
+  std::map<int, SeparableSolver> flat_;  // by the number of waves along the span
   Krylov pressure_, velocity_;
 
   Manufactured manufactured_;

@@ -7,6 +7,7 @@
 
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
+#include "common/ranks.hpp"
 #include "dns/grid_point.hpp"
 
 namespace pennon::dns {
@@ -19,6 +20,10 @@ constexpr std::size_t t_column = 0, kinetic_column = 7, dissipation_column = 8, 
 
 double power(const FluidRow& row) {
   return row[wall_column] - row[dissipation_column] + row[outer_column];
+}
+
+void append(const std::vector<double>& values, std::vector<double>& all) {
+  all.insert(all.end(), values.begin(), values.end());
 }
 
 hdf5::Attributes column_names() {
@@ -74,7 +79,8 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
   for (int plane = 0; plane < planes; ++plane)
     for (int i = 0; i < n_theta; ++i)
       pressure_drag -= 2 * traction.pressure[static_cast<std::size_t>(plane * n_theta + i)] *
-                       faces.area_y.row(plane, 0)[i] / planes;
+                       faces.area_y.row(plane, 0)[i] / fluid.span().planes();
+  pressure_drag = ranks::sum(pressure_drag);
   FluidRow row = {state.t,
                   state.previous_dt,
                   state.grid[0].z.row(0, 0)[0],
@@ -101,21 +107,25 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
                          (row[t_column] - last[t_column]) * (power(row) + power(last)) / 2;
   }
   history.rows.push_back(row);
+  std::vector<double> stations;
   for (int plane = 0; plane < planes; ++plane) {
     const Vector3 station = station_force(fluid, traction, plane);
-    history.stations.insert(history.stations.end(), {station[1], station[2], station[0]});
+    stations.insert(stations.end(), {station[1], station[2], station[0]});
   }
-  for (std::size_t k = 0; k < probes.y.size(); ++k)
+  append(ranks::gather(stations), history.stations);
+  for (std::size_t k = 0; k < probes.y.size(); ++k) {
+    std::vector<double> found;
     for (int plane = 0; plane < planes; ++plane) {
       const std::optional<GridPoint> point =
           find_point(fluid.grid(), state.grid[0], plane, probes.y[k], probes.z[k]);
       const auto value = [&](const Field<double>& f) {
         return point ? point->value(f, plane) : std::numeric_limits<double>::quiet_NaN();
       };
-      history.probes.insert(history.probes.end(),
-                            {value(state.u[0]), value(state.u[1]),
-                             state.u.size() > 2 ? value(state.u[2]) : 0.0, value(state.p)});
+      found.insert(found.end(), {value(state.u[0]), value(state.u[1]),
+                                 state.u.size() > 2 ? value(state.u[2]) : 0.0, value(state.p)});
     }
+    append(ranks::gather(found), history.probes);
+  }
 }
 
 void write_history(const FluidHistory& history, int planes, std::size_t probes,
@@ -133,6 +143,7 @@ void write_history(const FluidHistory& history, int planes, std::size_t probes,
 
 void write_history(const FluidHistory& history, const Span& span, const ProbeSettings& probes,
                    const std::filesystem::path& folder) {
+  if (!ranks::is_leading()) return;
   std::vector<std::string> names;
   for (const FluidColumn& column : columns_of_fluid_history()) names.emplace_back(column.name);
   const std::size_t count = probes.y.size();

@@ -27,7 +27,8 @@ struct FluidHistory {
   std::vector<double> probes;    ///< [row][probe][plane]: v, w, u, p
 };
 
-/// Adds a row for a state. Probes in the order of the settings; one outside the grid is NaN.
+/// Adds a row for a state; stations and probes on the leading rank alone. Every rank calls. Probes
+/// in the order of the settings; one outside the grid is NaN.
 void add_row(const Fluid&, const FluidState&, const FluidStepSummary&, const ProbeSettings&,
              FluidHistory&);
 

@@ -11,6 +11,7 @@
 #include "common/hdf5.hpp"
 #include "common/interrupt.hpp"
 #include "common/progress.hpp"
+#include "common/ranks.hpp"
 #include "dns/fluid_fields.hpp"
 #include "dns/schedule.hpp"
 
@@ -33,7 +34,8 @@ double seconds_since(Clock::time_point begin) {
 
 Upwinding upwinding_of(Convection convection) {
   if (convection == Convection::central) return upwinding::central;
-  return convection == Convection::third_order ? upwinding::third_order : upwinding::kawamura_kuwahara;
+  return convection == Convection::third_order ? upwinding::third_order
+                                               : upwinding::kawamura_kuwahara;
 }
 
 Span span_of(const Settings& settings, const FlagParameters& flag) {
@@ -48,7 +50,8 @@ class FluidRun {
         folder_(folder),
         fluid_(fluid_of(settings, flag, flow)),
         motion_(prescribed_motion(settings.motion, fluid_.grid(), fluid_.span(), mode)) {
-    result_.cells = static_cast<std::int64_t>(fluid_.extent().cells());
+    result_.cells =
+        static_cast<std::int64_t>(fluid_.extent().cells_of_plane()) * fluid_.span().planes();
     if (settings.output.field_interval > 0)
       folder.require_space(
           size_of_fields(fluid_) *
@@ -67,10 +70,10 @@ class FluidRun {
     constexpr std::int64_t ticks = 1'000'000;
     Progress progress("direct simulation", ticks, shows_progress);
     while (state_.t < settings_.t_end - slack * dt_) {
-      if (is_interrupted()) {
+      if (ranks::any(is_interrupted())) {
         write_checkpoint();
         write_history(history_, fluid_.span(), settings_.probes, folder_.path());
-        stop_if_interrupted("go on with --restart and the checkpoint in the output folder");
+        throw Interrupted("interrupted; go on with --restart " + checkpoint_.string());
       }
       advance_by(step_toward(settings_.t_end));
       progress.advance_to(static_cast<std::int64_t>(ticks * state_.t / settings_.t_end));
@@ -88,12 +91,13 @@ class FluidRun {
   }
 
  private:
-  // The last steps share what is left, so that none of them is much shorter than the one before: the
-  // pressure answers a sudden change of the step.
+  // The last steps share what is left, so that none of them is much shorter than the one before:
+  // the pressure answers a sudden change of the step.
   double step_toward(double target) const {
     constexpr double steps_that_share = 50;
     const double left = target - state_.t, count = std::ceil(left / dt_ - slack);
-    return count > steps_that_share ? dt_ : left / std::max(count, 1.0);
+    const double share = left / std::max(count, 1.0);
+    return count > steps_that_share || std::abs(share - dt_) < slack * dt_ ? dt_ : share;
   }
 
   void advance_by(double dt) {
@@ -138,29 +142,36 @@ class FluidRun {
 
   void write_checkpoint() {
     checkpoint_ = folder_ / "checkpoint.h5";
-    hdf5::Writer file(checkpoint_);
-    file.attributes({{"kind", "fluid_checkpoint"},
-                     {"t", state_.t},
-                     {"previous_dt", state_.previous_dt},
-                     {"dt", dt_},
-                     {"step", step_},
-                     {"fields", fields_}});
+    std::optional<hdf5::Writer> file;  // of the leading rank
+    if (ranks::is_leading()) {
+      file.emplace(checkpoint_);
+      file->attributes({{"kind", "fluid_checkpoint"},
+                        {"t", state_.t},
+                        {"previous_dt", state_.previous_dt},
+                        {"dt", dt_},
+                        {"step", step_},
+                        {"fields", fields_}});
+    }
     const Extent& extent = fluid_.extent();
-    const auto planes = static_cast<hsize_t>(extent.planes);
-    const auto write = [&](const std::string& name, const Field<double>& f, int rows) {
+    const auto planes = static_cast<hsize_t>(fluid_.span().planes());
+    for_each_field([&](const std::string& name, const Field<double>& f, int rows) {
       std::vector<double> values;
       for (int plane = 0; plane < extent.planes; ++plane)
         for (int j = 0; j < rows; ++j)
           values.insert(values.end(), f.row(plane, j), f.row(plane, j) + extent.n_theta);
-      file.write(name, {planes, static_cast<hsize_t>(rows), static_cast<hsize_t>(extent.n_theta)},
-                 values);
-    };
-    for_each_field(write);
-    std::vector<double> is_inflow(state_.is_inflow.begin(), state_.is_inflow.end());
-    file.write("/is_inflow", {is_inflow.size()}, is_inflow);
+      values = ranks::gather(values);
+      if (file)
+        file->write(name,
+                    {planes, static_cast<hsize_t>(rows), static_cast<hsize_t>(extent.n_theta)},
+                    values);
+    });
+    const std::vector<double> is_inflow =
+        ranks::gather(std::vector<double>(state_.is_inflow.begin(), state_.is_inflow.end()));
+    if (!file) return;
+    file->write("/is_inflow", {is_inflow.size()}, is_inflow);
     if (!history_.rows.empty())
-      write_history(history_, extent.planes, settings_.probes.y.size(), file);
-    file.finish();
+      write_history(history_, fluid_.span().planes(), settings_.probes.y.size(), *file);
+    file->finish();
   }
 
   // All fields of the state, with the rows that they have.
@@ -190,14 +201,17 @@ class FluidRun {
     state_.grid.assign(3, Displacement<double>(extent));
     const auto read = [&](const std::string& name, Field<double>& f, int rows) {
       const hdf5::Array array = file.read(name);
-      const hdf5::Shape expected = {static_cast<hsize_t>(extent.planes), static_cast<hsize_t>(rows),
+      const hdf5::Shape expected = {static_cast<hsize_t>(fluid_.span().planes()),
+                                    static_cast<hsize_t>(rows),
                                     static_cast<hsize_t>(extent.n_theta)};
       if (array.shape != expected)
         throw InputError(path.string(),
                          fmt::format("holds another grid than the case's {} x {} x {} cells; "
                                      "restart with the case that wrote it",
-                                     extent.planes, extent.n_rho, extent.n_theta));
-      const double* value = array.values.data();
+                                     fluid_.span().planes(), extent.n_rho, extent.n_theta));
+      const double* value =
+          array.values.data() +
+          static_cast<std::ptrdiff_t>(fluid_.span().first_plane()) * rows * extent.n_theta;
       for (int plane = 0; plane < extent.planes; ++plane) {
         for (int j = 0; j < rows; ++j, value += extent.n_theta)
           std::copy_n(value, extent.n_theta, f.row(plane, j));
@@ -205,7 +219,10 @@ class FluidRun {
       }
     };
     for_each_field(read);
-    for (const double flag : file.read("/is_inflow").values) state_.is_inflow.push_back(flag != 0);
+    const std::vector<double> is_inflow = file.read("/is_inflow").values;
+    const std::ptrdiff_t first = fluid_.span().first_plane() * std::ptrdiff_t(extent.n_theta);
+    for (std::ptrdiff_t k = 0; k < extent.planes * std::ptrdiff_t(extent.n_theta); ++k)
+      state_.is_inflow.push_back(is_inflow[static_cast<std::size_t>(first + k)] != 0);
     state_.t = file.number("/", "t", 0);
     state_.previous_dt = file.number("/", "previous_dt", 0);
     dt_ = file.number("/", "dt", settings_.dt);

@@ -21,7 +21,7 @@ WallMotion prescribed_motion(const MotionSettings& motion, const OGrid& grid, co
                              const ShapeFunction& zeta) {
   std::vector<double> chord, stations;
   for (int i = 0; i < grid.n_theta(); ++i) chord.push_back((1 + std::cos(grid.theta(i))) / 2);
-  for (int m = 0; m < span.planes(); ++m) stations.push_back(span.x(m));
+  for (int m = 0; m < span.local_planes(); ++m) stations.push_back(span.x(m));
   const double k_x =
       span.has_span() ? 2 * pi * static_cast<double>(motion.waves) / span.length() : 0.0;
   return [motion, zeta, chord, stations, k_x](double t, WallShape& shape) {
