@@ -1,10 +1,6 @@
 /// The command as a user runs it: exit codes, messages, files, the paper's cases.
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -14,7 +10,7 @@
 #include <vector>
 
 #include "common/csv.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/commands.hpp"
 #include "tests/support/text_file.hpp"
 
 namespace pennon {
@@ -25,55 +21,17 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-const fs::path source = PENNON_SOURCE_DIR;
-const fs::path table_1_cases = source / "data/cases/table1";
+using test::bad_input;
+using test::done;
+using test::other;
+using test::Outcome;
+using test::source;
+using test::table_1_cases;
 
-constexpr int done = 0, other = 1, bad_input = 2;
-
-// Starts pennon with its output in files; the caller waits for it.
-pid_t start(const std::vector<std::string>& arguments, const fs::path& out, const fs::path& err) {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  for (const auto& [file, descriptor] :
-       {std::pair(out, STDOUT_FILENO), std::pair(err, STDERR_FILENO)})
-    dup2(open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), descriptor);
-  std::vector<char*> argv = {const_cast<char*>(PENNON_EXECUTABLE)};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  execv(PENNON_EXECUTABLE, argv.data());
-  _exit(127);
-}
-
-struct Outcome {
-  int status = -1;  // exit code, or minus the signal
-  std::string out, err;
-};
-
-class Commands : public testing::Test {
- protected:
-  Outcome finish(pid_t child) {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
-            test::read_text(folder_ / "out.txt"), test::read_text(folder_ / "err.txt")};
-  }
-  pid_t start_in_background(const std::vector<std::string>& arguments) {
-    return start(arguments, folder_ / "out.txt", folder_ / "err.txt");
-  }
-  Outcome pennon(const std::vector<std::string>& arguments) {
-    return finish(start_in_background(arguments));
-  }
-  std::string results(const std::string& name = "results") const {
-    return (folder_ / name).string();
-  }
-
-  test::TemporaryFolder folder_;
-};
-
-using Lsa = Commands;
-using Modes = Commands;
-using Dns = Commands;
-using Pennon = Commands;
+using Lsa = test::Commands;
+using Modes = test::Commands;
+using Dns = test::Commands;
+using Pennon = test::Commands;
 
 std::string case_of(const std::string& name) {
   return (table_1_cases / (name + ".toml")).string();
@@ -275,17 +233,12 @@ TEST_F(Dns, RefusesTheCheckpointOfAnotherFlag) {
   EXPECT_THAT(outcome.err, HasSubstr("101 nodes"));
 }
 
-TEST_F(Dns, SaysThatTheFluidIsToCome) {
-  const Outcome outcome = pennon({"dns", case_of("C2D")});
-  EXPECT_EQ(outcome.status, bad_input);
-  EXPECT_THAT(outcome.err, HasSubstr("leave [flow] out"));
-}
-
 TEST_F(Pennon, ChecksEveryCaseInTheProject) {
   for (const auto& entry : fs::recursive_directory_iterator(source / "data/cases")) {
     if (entry.path().extension() != ".toml") continue;
     const std::string folder = entry.path().parent_path().filename().string();
-    const std::string command = folder == "modes" ? "modes" : folder == "flag" ? "dns" : "lsa";
+    const bool is_simulated = folder == "flag" || folder == "fluid";
+    const std::string command = folder == "modes" ? "modes" : is_simulated ? "dns" : "lsa";
     const Outcome outcome = pennon({command, entry.path().string(), "--check"});
     EXPECT_EQ(outcome.status, done) << entry.path() << outcome.err;
   }
