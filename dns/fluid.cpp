@@ -233,10 +233,10 @@ void Fluid::velocity_operator(const double* in, double* out) {
       f_.wrap_theta(plane, -2, n_rho + 2);
     }
   };
-  extend(false);
-  convect(f_, work_);
   extend(true);
   balance_of_gradient(f_, true, balance_);
+  extend(false);
+  convect(f_, work_);
   for_each_row(extent_, [&](int plane, int j) {
     const double *balance = balance_.row(plane, j), *volume = metrics_.volume.row(plane, j);
     const double* convection = work_.row(plane, j);
@@ -245,14 +245,14 @@ void Fluid::velocity_operator(const double* in, double* out) {
   });
 }
 
-// (C . grad) f, from f with its ghosts.
+// (C . grad) f, from f with its ghosts; f_xi_ holds its derivative along the span, which
+// balance_of_gradient() leaves there.
 void Fluid::convect(const Field<double>& f, Field<double>& result) {
   for (int plane = 0; plane < extent_.planes; ++plane)
     for (int j = 0; j < extent_.n_rho; ++j) std::fill_n(result.row(plane, j), extent_.n_theta, 0.0);
   for (int plane = 0; plane < extent_.planes; ++plane)
     add_convection(plane, C_s_, C_t_, f, upwinding_, result);
   if (!span_.has_span()) return;
-  span_.differentiate(f, f_xi_);
   for_each_row(extent_, [&](int plane, int j) {
     const double *u = C_x_.row(plane, j), *f_xi = f_xi_.row(plane, j);
     double* sum = result.row(plane, j);
@@ -316,7 +316,6 @@ void Fluid::invert_lines(const double* in, double* out) const {
       for (int i = 0; i < n_theta; ++i) u[i] -= upper[i] * next[i];
     }
   }
-  if (span_.has_span()) span_.dealias(out, extent_.cells_of_plane(), extent_.cells_of_plane());
 }
 
 // --- The step
@@ -453,27 +452,27 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
     gradient(metrics_, plane, state.p, has_span ? &f_xi_ : nullptr,
              {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   for (std::size_t c = 0; c < guess_.size(); ++c) {
+    extend_velocity(state, static_cast<int>(c), guess_[c], true);
+    balance_of_gradient(guess_[c], true, balance_);
+    extend_velocity(state, static_cast<int>(c), guess_[c], false);
     convect(guess_[c], work_);
+    if (has_span) {  // in the operator, on the change from the guess, aliases are of no account
+      const std::size_t points = work_.values().size() / static_cast<std::size_t>(extent_.planes);
+      span_.dealias(work_.values().data(), points, points);
+    }
     const bool has_gradient = c < gradient_.size();
     std::size_t cell = 0;
     for_each_row(extent_, [&](int plane, int j) {
       const double *u = state.u[c].row(plane, j), *u_last = state.u_last[c].row(plane, j);
       const double *convection = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+      const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
       const double* p_c = has_gradient ? gradient_[c].row(plane, j) : nullptr;
       for (int i = 0; i < n_theta; ++i)
-        right_[cell++] = -volume[i] * (D.last * u[i] + D.before * u_last[i] + convection[i] +
-                                       (has_gradient ? p_c[i] : 0.0));
+        right_[cell++] = balance[i] / parameters_.Re -
+                         volume[i] * (D.next * f[i] + D.last * u[i] + D.before * u_last[i] +
+                                      convection[i] + (has_gradient ? p_c[i] : 0.0));
     });
     if (manufactured_.force) add_force(state, c, t);
-    extend_velocity(state, static_cast<int>(c), guess_[c], true);
-    balance_of_gradient(guess_[c], true, balance_);
-    cell = 0;
-    for_each_row(extent_, [&](int plane, int j) {
-      const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
-      const double* volume = metrics_.volume.row(plane, j);
-      for (int i = 0; i < n_theta; ++i)
-        right_[cell++] -= D.next * volume[i] * f[i] - balance[i] / parameters_.Re;
-    });
     std::ranges::fill(solution_, 0.0);
     const KrylovSummary solved =
         velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);

@@ -1,10 +1,13 @@
 #include "dns/span.hpp"
 
+#include <cblas.h>
 #include <fftw3.h>
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <vector>
@@ -15,33 +18,139 @@
 namespace pennon::dns {
 namespace {
 
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 // Columns along x are gathered so many at a time: what is transformed stays in the cache.
-constexpr std::size_t block = 32;
+constexpr std::size_t block = 128;
+// Up to so many planes a product with a matrix is faster than the fast transforms, which do not
+// fill vector registers: measured, docs/accuracy.md.
+constexpr int most_planes_of_matrix = 128;
 
 }  // namespace
 
-// Half-complex transforms of `block` interleaved columns, planned by estimate: every run takes the
+// What is done to columns along x, `block` of them side by side: by a matrix, or where there are
+// many planes by FFTW's half-complex transforms. These are planned by estimate: every run takes the
 // same.
-struct Span::Plans {
-  fftw_plan forward, backward;
+class Span::Columns {
+ public:
+  Columns(int planes, double length) : planes_(planes) {
+    if (planes_ > most_planes_of_matrix) {
+      plan();
+      return;
+    }
+    to_coefficients_.resize(planes, planes);
+    to_values_.resize(planes, planes);
+    Matrix derivative = Matrix::Zero(planes, planes), kept = Matrix::Zero(planes, planes);
+    for (int c = 0; c < planes; ++c) {
+      const bool is_sine = 2 * c > planes;
+      const int waves = is_sine ? planes - c : c;
+      const bool is_alone = waves == 0 || 2 * waves == planes;
+      for (int m = 0; m < planes; ++m) {
+        const double phase = 2 * std::numbers::pi * (waves * m % planes) / planes;
+        const double wave = is_sine ? -std::sin(phase) : std::cos(phase);
+        to_coefficients_(c, m) = wave / planes;
+        to_values_(m, c) = (is_alone ? 1 : 2) * wave;
+      }
+      kept(c, c) = waves <= highest_kept() ? 1 : 0;
+      if (is_alone) continue;
+      // (c + i s) -> i k (c + i s)
+      const double k = wavenumber(waves, planes, length);
+      if (is_sine)
+        derivative(waves, c) = -k;
+      else
+        derivative(planes - waves, c) = k;
+    }
+    derivative_ = to_values_ * derivative * to_coefficients_;
+    dealiasing_ = to_values_ * kept * to_coefficients_;
+  }
+  ~Columns() {
+    if (forward_) fftw_destroy_plan(forward_);
+    if (backward_) fftw_destroy_plan(backward_);
+  }
+  Columns(const Columns&) = delete;
+  Columns& operator=(const Columns&) = delete;
 
-  explicit Plans(int planes) {
-    std::vector<double> columns(static_cast<std::size_t>(planes) * block);
-    const auto plan = [&](fftw_r2r_kind kind) {
+  // Each changes `count` <= block columns, rows `stride` apart, into `result`, rows `to` apart.
+  void to_coefficients(const double* columns, std::size_t stride, std::size_t count, double* result,
+                       std::size_t to) {
+    apply(to_coefficients_, columns, stride, count, result, to, [this](double* work) {
+      fftw_execute_r2r(forward_, work, work);
+      for (std::size_t k = 0; k < size(); ++k) work[k] /= planes_;
+    });
+  }
+  void to_values(const double* columns, std::size_t stride, std::size_t count, double* result,
+                 std::size_t to) {
+    apply(to_values_, columns, stride, count, result, to,
+          [this](double* work) { fftw_execute_r2r(backward_, work, work); });
+  }
+  void differentiate(double length, const double* columns, std::size_t stride, std::size_t count,
+                     double* result, std::size_t to) {
+    apply(derivative_, columns, stride, count, result, to, [this, length](double* work) {
+      fftw_execute_r2r(forward_, work, work);
+      const auto row = [&](int m) { return work + static_cast<std::size_t>(m) * block; };
+      std::fill_n(row(0), block, 0.0);
+      for (int m = 1; 2 * m < planes_; ++m) {
+        const double k = wavenumber(m, planes_, length) / planes_;
+        double *cosine = row(m), *sine = row(planes_ - m);
+        for (std::size_t b = 0; b < block; ++b) {
+          const double c = cosine[b];
+          cosine[b] = -k * sine[b];
+          sine[b] = k * c;
+        }
+      }
+      if (planes_ % 2 == 0) std::fill_n(row(planes_ / 2), block, 0.0);
+      fftw_execute_r2r(backward_, work, work);
+    });
+  }
+  void dealias(const double* columns, std::size_t stride, std::size_t count, double* result,
+               std::size_t to) {
+    apply(dealiasing_, columns, stride, count, result, to, [this](double* work) {
+      fftw_execute_r2r(forward_, work, work);
+      for (int m = 0; m < planes_; ++m) {
+        double* row = work + static_cast<std::size_t>(m) * block;
+        const bool is_kept = std::min(m, planes_ - m) <= highest_kept();
+        for (std::size_t b = 0; b < block; ++b) row[b] = is_kept ? row[b] / planes_ : 0.0;
+      }
+      fftw_execute_r2r(backward_, work, work);
+    });
+  }
+
+ private:
+  int highest_kept() const { return (planes_ - 1) / 3; }
+  std::size_t size() const { return static_cast<std::size_t>(planes_) * block; }
+
+  template <class Fast>
+  void apply(const Matrix& matrix, const double* columns, std::size_t stride, std::size_t count,
+             double* result, std::size_t to, const Fast& fast) {
+    work_.resize(size());
+    for (std::size_t m = 0; m < static_cast<std::size_t>(planes_); ++m)
+      std::copy_n(columns + m * stride, count, work_.data() + m * block);
+    if (!forward_) {
+      cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, planes_, static_cast<int>(count),
+                  planes_, 1.0, matrix.data(), planes_, work_.data(), static_cast<int>(block), 0.0,
+                  result, static_cast<int>(to));
+      return;
+    }
+    fast(work_.data());
+    for (std::size_t m = 0; m < static_cast<std::size_t>(planes_); ++m)
+      std::copy_n(work_.data() + m * block, count, result + m * to);
+  }
+
+  void plan() {
+    work_.resize(size());
+    const auto planned = [&](fftw_r2r_kind kind) {
       constexpr int stride = block;
-      return fftw_plan_many_r2r(1, &planes, stride, columns.data(), nullptr, stride, 1,
-                                columns.data(), nullptr, stride, 1, &kind,
-                                FFTW_ESTIMATE | FFTW_UNALIGNED);
+      return fftw_plan_many_r2r(1, &planes_, stride, work_.data(), nullptr, stride, 1, work_.data(),
+                                nullptr, stride, 1, &kind, FFTW_ESTIMATE | FFTW_UNALIGNED);
     };
-    forward = plan(FFTW_R2HC);
-    backward = plan(FFTW_HC2R);
+    forward_ = planned(FFTW_R2HC);
+    backward_ = planned(FFTW_HC2R);
   }
-  ~Plans() {
-    fftw_destroy_plan(forward);
-    fftw_destroy_plan(backward);
-  }
-  Plans(const Plans&) = delete;
-  Plans& operator=(const Plans&) = delete;
+
+  int planes_;
+  Matrix to_coefficients_, to_values_, derivative_, dealiasing_;
+  fftw_plan forward_ = nullptr, backward_ = nullptr;
+  std::vector<double> work_;
 };
 
 // The planes of each rank on one side, the points of each on the other.
@@ -111,7 +220,7 @@ struct Span::Exchange {
 Span::Span(int planes, double length)
     : planes_(planes),
       length_(length),
-      plans_(planes > 1 ? std::make_unique<Plans>(planes) : nullptr) {
+      columns_(planes > 1 ? std::make_unique<Columns>(planes, length) : nullptr) {
   const int ranks = ranks::count();
   if (ranks > planes)
     throw InputError(
@@ -141,77 +250,45 @@ double Span::wavenumber(int waves, int planes, double length) {
 template <class Change>
 void Span::transform(const double* from, double* to, std::size_t points, std::size_t stride,
                      const Change& change) const {
-  const auto planes = static_cast<std::size_t>(planes_);
-  std::vector<double> columns(planes * block);
-  const auto change_columns = [&](const double* source, double* target, std::size_t width,
-                                  std::size_t source_stride, std::size_t target_stride) {
-    for (std::size_t first = 0; first < width; first += block) {
-      const std::size_t count = std::min(block, width - first);
-      for (std::size_t m = 0; m < planes; ++m)
-        std::copy_n(source + m * source_stride + first, count, columns.data() + m * block);
-      change(columns.data());
-      for (std::size_t m = 0; m < planes; ++m)
-        std::copy_n(columns.data() + m * block, count, target + m * target_stride + first);
-    }
+  const auto change_all = [&](const double* source, double* target, std::size_t width,
+                              std::size_t rows) {
+    for (std::size_t first = 0; first < width; first += block)
+      change(source + first, rows, std::min(block, width - first), target + first, rows);
   };
   if (!exchange_) {
-    change_columns(from, to, points, stride, stride);
+    change_all(from, to, points, stride);
     return;
   }
   exchange_->share(from, static_cast<int>(points), stride);
-  const std::size_t width = exchange_->columns.size() / planes;
-  change_columns(exchange_->columns.data(), exchange_->columns.data(), width, width, width);
+  double* columns = exchange_->columns.data();
+  const std::size_t width = exchange_->columns.size() / static_cast<std::size_t>(planes_);
+  change_all(columns, columns, width, width);
   exchange_->bring_back(to, static_cast<int>(points), stride);
 }
 
 void Span::to_coefficients(double* values, std::size_t points, std::size_t stride) const {
   if (!has_span()) return;
-  transform(values, values, points, stride, [&](double* columns) {
-    fftw_execute_r2r(plans_->forward, columns, columns);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(planes_) * block; ++k)
-      columns[k] /= planes_;
-  });
+  transform(values, values, points, stride,
+            [this](auto... block_of_columns) { columns_->to_coefficients(block_of_columns...); });
 }
 
 void Span::to_values(double* coefficients, std::size_t points, std::size_t stride) const {
   if (!has_span()) return;
   transform(coefficients, coefficients, points, stride,
-            [&](double* columns) { fftw_execute_r2r(plans_->backward, columns, columns); });
+            [this](auto... block_of_columns) { columns_->to_values(block_of_columns...); });
 }
 
 void Span::differentiate(const Field<double>& f, Field<double>& f_x) const {
   const std::size_t stride = f.values().size() / static_cast<std::size_t>(local_planes_);
-  transform(f.values().data(), f_x.values().data(), stride, stride, [&](double* columns) {
-    fftw_execute_r2r(plans_->forward, columns, columns);
-    const auto row = [&](int m) { return columns + static_cast<std::size_t>(m) * block; };
-    std::fill_n(row(0), block, 0.0);
-    for (int m = 1; 2 * m < planes_;
-         ++m) {  // c cos + s sin (as Re, Im of c + i s) -> i k (c + i s)
-      const double k = wavenumber(m, planes_, length_) / planes_;
-      double *cosine = row(m), *sine = row(planes_ - m);
-      for (std::size_t b = 0; b < block; ++b) {
-        const double c = cosine[b];
-        cosine[b] = -k * sine[b];
-        sine[b] = k * c;
-      }
-    }
-    if (planes_ % 2 == 0) std::fill_n(row(planes_ / 2), block, 0.0);
-    fftw_execute_r2r(plans_->backward, columns, columns);
-  });
+  transform(
+      f.values().data(), f_x.values().data(), stride, stride,
+      [this](auto... block_of_columns) { columns_->differentiate(length_, block_of_columns...); });
 }
 
 void Span::dealias(double* values, std::size_t points, std::size_t stride) const {
   if (!has_span()) return;
-  const int highest = (planes_ - 1) / 3;
-  transform(values, values, points, stride, [&](double* columns) {
-    fftw_execute_r2r(plans_->forward, columns, columns);
-    for (int m = 0; m < planes_; ++m) {
-      double* row = columns + static_cast<std::size_t>(m) * block;
-      const bool is_kept = std::min(m, planes_ - m) <= highest;
-      for (std::size_t b = 0; b < block; ++b) row[b] = is_kept ? row[b] / planes_ : 0.0;
-    }
-    fftw_execute_r2r(plans_->backward, columns, columns);
-  });
+  transform(values, values, points, stride,
+            [this](auto... block_of_columns) { columns_->dealias(block_of_columns...); });
 }
 
 }  // namespace pennon::dns

@@ -46,7 +46,7 @@ class Span {
   void dealias(double* values, std::size_t points, std::size_t stride) const;
 
  private:
-  struct Plans;
+  class Columns;
   struct Exchange;
   template <class Change>
   void transform(const double* from, double* to, std::size_t points, std::size_t stride,
@@ -55,7 +55,7 @@ class Span {
   int planes_;
   double length_;
   int first_plane_ = 0, local_planes_ = 1;
-  std::unique_ptr<Plans> plans_;
+  std::unique_ptr<Columns> columns_;    // null for one plane
   std::unique_ptr<Exchange> exchange_;  // null for one rank
 };
 
