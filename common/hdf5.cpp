@@ -163,16 +163,6 @@ bool Reader::contains(const std::string& name) const {
   }
 }
 
-std::vector<std::string> Reader::names() const {
-  std::vector<std::string> names;
-  const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* kept) -> herr_t {
-    static_cast<std::vector<std::string>*>(kept)->emplace_back(name);
-    return 0;
-  };
-  H5Literate(file_, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &names);
-  return names;
-}
-
 Handle Reader::open(const std::string& name) const {
   const hid_t id = contains(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : H5I_INVALID_HID;
   if (id < 0) throw InputError(path_, "has no array " + name);

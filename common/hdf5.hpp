@@ -80,7 +80,6 @@ class Reader {
   explicit Reader(const std::filesystem::path& path);
 
   bool contains(const std::string& name) const;
-  std::vector<std::string> names() const;
   Array read(const std::string& name) const;
   /// Every strides[d]-th element along each index d, from the first.
   Array read_every(const std::string& name, const Shape& strides) const;

@@ -71,8 +71,7 @@ class Descent {
  private:
   NodeVectors<dim> forces_at(const NodeVectors<dim>& x) const {
     NodeVectors<dim> forces = flag_.forces({x, x}, loads_);
-    for (int node = 0; node < flag_.mesh().nodes(); ++node)
-      if (flag_.is_held()[static_cast<std::size_t>(node)]) forces.col(node).setZero();
+    flag_.clear_held(forces);
     return forces;
   }
 
