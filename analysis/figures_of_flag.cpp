@@ -68,8 +68,13 @@ Figure figure_of_flag_history(const hdf5::Reader& file) {
 
 Figure figure_of_flag_convergence(const hdf5::Reader& file) {
   Figure figure;
-  figure.x = {"1/({/:Italic N} − 1)", true, {}, {}};
-  figure.y = {"error of the deflection / {/:Italic L}", true, {}, {}};
+  if (file.text("/", "of") == "frequency") {
+    figure.x = {"{/:Italic Δt V}/{/:Italic L}", true, {}, {}};
+    figure.y = {"error of the frequency {/:Italic ωL}/{/:Italic V}", true, {}, {}};
+  } else {
+    figure.x = {"1/({/:Italic N} − 1)", true, {}, {}};
+    figure.y = {"error of the deflection / {/:Italic L}", true, {}, {}};
+  }
   const std::vector<double> h = file.read("/h").values;
   const std::vector<double> error = file.read("/error").values;
   const double order = file.number("/", "order", 0);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "common/csv.hpp"
 #include "common/errors.hpp"
@@ -87,12 +88,22 @@ FlagLoads<dim> loads_of(const Settings& settings, const FlagParameters& paramete
   return loads;
 }
 
-// The start: straight at an angle, or displaced with every chordwise segment at its length.
+// The start: the mode of a plate, straight at an angle, or displaced with every chordwise segment
+// at its length.
 template <int dim>
 NodeVectors<dim> initial_shape(const Settings& settings, const std::optional<Displacement>& zeta,
                                const Flag<dim>& flag) {
   const FlagMesh& mesh = flag.mesh();
   NodeVectors<dim> x = flag.rest();
+  if constexpr (dim == 3)
+    if (const double amplitude = settings.initial.plate_mode; amplitude != 0) {
+      for (int i = 0; i < mesh.stations(); ++i)
+        for (int j = 0; j < mesh.chord_nodes(); ++j)
+          x(2, mesh.index(i, j)) = amplitude *
+                                   std::sin(std::numbers::pi * mesh.x(i) / mesh.span()) *
+                                   std::sin(std::numbers::pi * mesh.y(j));
+      return x;
+    }
   const double angle = settings.initial.angle;
   for (int i = 0; i < mesh.stations(); ++i)
     for (int j = 1; j < mesh.chord_nodes(); ++j) {

@@ -42,12 +42,14 @@ struct LoadSettings {
 struct InitialSettings {
   std::vector<double> A, B;  ///< of (5.1)
   double angle = 0;          ///< of the straight flag about its leading edge, radians
+  double plate_mode = 0;     ///< amplitude of sin(pi x/gamma) sin(pi y)
 };
 
 struct ConvergenceSettings {
   bool is_given = false;
   std::vector<std::int64_t> n;      ///< nodes along each side
-  std::optional<double> reference;  ///< exact z of the probe
+  std::vector<double> dt;           ///< or time steps
+  std::optional<double> reference;  ///< exact z of the probe, or its exact angular frequency
 };
 
 struct OutputSettings {

@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <thread>
 #include <vector>
@@ -28,7 +30,7 @@ using testing::Not;
 const fs::path source = PENNON_SOURCE_DIR;
 const fs::path table_1_cases = source / "data/cases/table1";
 
-constexpr int done = 0, other = 1, bad_input = 2;
+constexpr int done = 0, other = 1, bad_input = 2, not_converged = 3;
 
 // Starts pennon with its output in files; the caller waits for it.
 pid_t start(const std::vector<std::string>& arguments, const fs::path& out, const fs::path& err) {
@@ -273,6 +275,56 @@ TEST_F(Dns, RefusesTheCheckpointOfAnotherFlag) {
                                   results() + "/checkpoint.h5", "--output", results("other")});
   EXPECT_EQ(outcome.status, bad_input);
   EXPECT_THAT(outcome.err, HasSubstr("101 nodes"));
+}
+
+// The discrete frequency is that of the grid's second differences, 4 (N - 1)^2 sin^2(pi/(2 (N -
+// 1))) each way, exactly.
+TEST_F(Dns, FindsTheOrderOfItsStepsByFigure22) {
+  const Outcome outcome =
+      pennon({"dns", (source / "data/cases/flag/figure22.toml").string(), "--set", "dns.n_x=9",
+              "--set", "dns.flag.n_y=9", "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json found = json::parse(outcome.out).at("convergence");
+  EXPECT_EQ(found.at("dt").size(), 4U);
+  EXPECT_GE(found.at("order").get<double>(), 1.95);
+  const double discrete = 8 * 64 * std::pow(std::sin(std::numbers::pi / 16), 2);
+  EXPECT_NEAR(found.at("limit").get<double>() / discrete, 1, 1e-6);
+  for (const char* file : {"convergence.csv", "convergence.h5", "convergence.png", "dt-0.001"})
+    EXPECT_TRUE(fs::exists(results() + "/" + file)) << file;
+}
+
+TEST_F(Dns, FindsTheOrderOfItsGridsByFigure21) {
+  const Outcome outcome =
+      pennon({"dns", (source / "data/cases/flag/figure21.toml").string(), "--set",
+              "dns.convergence.n=[11,15,21]", "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json found = json::parse(outcome.out).at("convergence");
+  EXPECT_EQ(found.at("n"), json({11, 15, 21}));
+  EXPECT_GE(found.at("order").get<double>(), 1.9);
+}
+
+TEST_F(Dns, SaysWhatIsWrongWithAStudyOfConvergence) {
+  const auto fault_of = [&](std::vector<std::string> changes) {
+    std::vector<std::string> arguments = {
+        "dns", (source / "data/cases/flag/figure22.toml").string(), "--check"};
+    for (const std::string& change : changes) arguments.insert(arguments.end(), {"--set", change});
+    const Outcome outcome = pennon(arguments);
+    EXPECT_EQ(outcome.status, bad_input) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(fault_of({"dns.convergence.n=[5,9]"}), HasSubstr("either n, to compare grids"));
+  EXPECT_THAT(fault_of({"dns.convergence.dt=[0.01]"}), HasSubstr("at least two time steps"));
+  EXPECT_THAT(fault_of({"dns.convergence.dt=[0.01,0.02]"}), HasSubstr("decreasing order"));
+  EXPECT_THAT(fault_of({"dns.flag.equilibrium=true"}), HasSubstr("compares vibrations"));
+  EXPECT_THAT(fault_of({"dns.output.history_interval=0.1"}), HasSubstr("= 0.1 leaves steps out"));
+  EXPECT_THAT(fault_of({"dns.flag.trailing_edge=free"}),
+              HasSubstr("a plate supported along all edges"));
+  EXPECT_THAT(fault_of({"dns.initial.angle=0.1"}), HasSubstr("contradicts"));
+  const Outcome early =
+      pennon({"dns", (source / "data/cases/flag/figure22.toml").string(), "--set", "dns.t_end=0.1",
+              "--set", "dns.n_x=5", "--set", "dns.flag.n_y=5", "--output", results()});
+  EXPECT_EQ(early.status, not_converged);
+  EXPECT_THAT(early.err, HasSubstr("take a longer t_end"));
 }
 
 TEST_F(Dns, SaysThatTheFluidIsToCome) {
