@@ -4,6 +4,7 @@
 
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
+#include "common/xdmf.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -31,11 +32,57 @@ void write_rows(const FlagHistory& history, hdf5::Writer& file) {
              column_names());
 }
 
-void write_shapes(const FlagHistory& history, std::size_t nodes, hdf5::Writer& file) {
-  file.write("/shape_times", {history.shape_times.size()}, history.shape_times,
-             {{"meaning", "t, in L/V"}});
-  file.write("/shapes", {history.shape_times.size(), nodes, 3}, history.shapes,
+struct StrainName {
+  const char* array;
+  const char* meaning;
+};
+constexpr std::array<StrainName, 3> strain_names = {{{"e_1", "strain along the chord of each cell"},
+                                                     {"e_2", "strain along the span of each cell"},
+                                                     {"shear", "x_1.x_2 of each cell"}}};
+
+// In two dimensions there is the strain along the chord alone.
+std::size_t strains_of(const FlagShapes& shapes) {
+  return shapes.strains[1].empty() ? 1 : 3;
+}
+
+void write_shapes(const FlagShapes& shapes, hdf5::Writer& file) {
+  const std::size_t count = shapes.times.size();
+  const std::size_t nodes = shapes.positions.size() / 3 / count;
+  file.write("/shape_times", {count}, shapes.times, {{"meaning", "t, in L/V"}});
+  file.write("/shapes", {count, nodes, 3}, shapes.positions,
              {{"meaning", "x, y, z of each node, in L"}});
+  file.write("/velocities", {count, nodes, 3}, shapes.velocities,
+             {{"meaning", "along x, y, z of each node, in V"}});
+  for (std::size_t k = 0; k < strains_of(shapes); ++k)
+    file.write(std::string("/") + strain_names[k].array, {count, shapes.strains[k].size() / count},
+               shapes.strains[k], {{"meaning", strain_names[k].meaning}});
+}
+
+// What of shapes.h5 is drawn: all but the cells that close a periodic span.
+void write_xdmf(const FlagShapes& shapes, const FlagMesh& mesh,
+                const std::filesystem::path& folder) {
+  const hsize_t count = shapes.times.size();
+  const auto stations = static_cast<hsize_t>(mesh.stations());
+  const auto chord_nodes = static_cast<hsize_t>(mesh.chord_nodes());
+  const hsize_t nodes = stations * chord_nodes;
+  const hsize_t cells = std::max<hsize_t>(stations - 1, 1) * (chord_nodes - 1);
+  std::vector<xdmf::Grid> series;
+  for (hsize_t s = 0; s < count; ++s) {
+    const auto of_nodes = [&](const char* array) {
+      return xdmf::row_of({"shapes.h5", array, {count, nodes, 3}, {}, {}}, s);
+    };
+    xdmf::Grid grid{shapes.times[s], {stations, chord_nodes}, of_nodes("/shapes"), {}};
+    grid.attributes.push_back({"velocity", xdmf::Center::node, of_nodes("/velocities")});
+    for (std::size_t k = 0; k < strains_of(shapes); ++k) {
+      const std::string name = strain_names[k].array;
+      xdmf::Block strain = xdmf::row_of(
+          {"shapes.h5", "/" + name, {count, shapes.strains[k].size() / count}, {}, {}}, s);
+      strain.count[1] = cells;
+      grid.attributes.push_back({name, xdmf::Center::cell, std::move(strain)});
+    }
+    series.push_back(std::move(grid));
+  }
+  xdmf::write(folder / "shapes.xdmf", "flag", series);
 }
 
 }  // namespace
@@ -91,8 +138,32 @@ template HistoryRow history_row(const Flag<2>&, const FlagLoads<2>&, double, con
 template HistoryRow history_row(const Flag<3>&, const FlagLoads<3>&, double, const NodeVectors<3>&,
                                 const NodeVectors<3>&, double, double, int, int);
 
+template <int dim>
+void add_shape(const Flag<dim>& flag, double t, const NodeVectors<dim>& x,
+               const NodeVectors<dim>& v, FlagShapes& shapes) {
+  const auto add = [](const NodeVectors<dim>& vectors, std::vector<double>& to) {
+    for (const auto& vector : vectors.colwise()) {
+      if constexpr (dim == 2) to.push_back(0);
+      to.insert(to.end(), vector.begin(), vector.end());
+    }
+  };
+  shapes.times.push_back(t);
+  add(x, shapes.positions);
+  add(v, shapes.velocities);
+  const Eigen::Matrix3Xd strains = flag.stretch().strains(x);
+  for (std::size_t k = 0; k < (dim == 2 ? 1 : 3); ++k) {
+    const auto row = strains.row(static_cast<Eigen::Index>(k));
+    shapes.strains[k].insert(shapes.strains[k].end(), row.begin(), row.end());
+  }
+}
+
+template void add_shape(const Flag<2>&, double, const NodeVectors<2>&, const NodeVectors<2>&,
+                        FlagShapes&);
+template void add_shape(const Flag<3>&, double, const NodeVectors<3>&, const NodeVectors<3>&,
+                        FlagShapes&);
+
 void write_history(const FlagHistory& history, const FlagMesh& mesh,
-                   const std::filesystem::path& folder) {
+                   const std::vector<double>& contour_times, const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const HistoryColumn& column : columns_of_history()) names.emplace_back(column.name);
   CsvText table("history of the flag; history.h5 says what each column is", names);
@@ -104,20 +175,21 @@ void write_history(const FlagHistory& history, const FlagMesh& mesh,
   write_rows(history, rows);
   rows.finish();
 
-  if (history.shape_times.empty()) return;
+  if (history.shapes.times.empty()) return;
   hdf5::Writer shapes(folder / "shapes.h5");
   shapes.attributes({{"kind", "flag_shapes"},
                      {"stations", std::int64_t(mesh.stations())},
                      {"chord_nodes", std::int64_t(mesh.chord_nodes())}});
-  write_shapes(history, static_cast<std::size_t>(mesh.nodes()), shapes);
+  write_shapes(history.shapes, shapes);
+  shapes.write("/contour_times", {contour_times.size()}, contour_times,
+               {{"meaning", "of the shapes whose strain is drawn, in L/V"}});
   shapes.finish();
+  write_xdmf(history.shapes, mesh, folder);
 }
 
 void write_history(const FlagHistory& history, hdf5::Writer& file) {
   write_rows(history, file);
-  const std::size_t nodes =
-      history.shape_times.empty() ? 0 : history.shapes.size() / 3 / history.shape_times.size();
-  if (nodes > 0) write_shapes(history, nodes, file);
+  if (!history.shapes.times.empty()) write_shapes(history.shapes, file);
 }
 
 FlagHistory read_history(const hdf5::Reader& file) {
@@ -130,8 +202,13 @@ FlagHistory read_history(const hdf5::Reader& file) {
     history.rows.push_back(row);
   }
   if (file.contains("/shapes")) {
-    history.shape_times = file.read("/shape_times").values;
-    history.shapes = file.read("/shapes").values;
+    FlagShapes& shapes = history.shapes;
+    shapes.times = file.read("/shape_times").values;
+    shapes.positions = file.read("/shapes").values;
+    shapes.velocities = file.read("/velocities").values;
+    for (std::size_t k = 0; k < strain_names.size(); ++k)
+      if (const std::string array = std::string("/") + strain_names[k].array; file.contains(array))
+        shapes.strains[k] = file.read(array).values;
   }
   return history;
 }

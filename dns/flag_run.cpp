@@ -191,7 +191,7 @@ class FlagRun {
       summary = stepper_.advance(
           state_, [this](double) { return loads_; }, target - state_.t);
     } catch (const SolverError& fault) {
-      write_history(history_, flag_.mesh(), folder_.path());
+      write_results();
       const std::string saved = checkpoint_.empty()
                                     ? "no checkpoint was written before"
                                     : "the last checkpoint is " + checkpoint_.string();
@@ -214,11 +214,7 @@ class FlagRun {
 
   void keep_shape() {
     if (settings_.output.shape_interval <= 0 && !settings_.flag.equilibrium) return;
-    history_.shape_times.push_back(state_.t);
-    for (int node = 0; node < flag_.mesh().nodes(); ++node)
-      history_.shapes.insert(
-          history_.shapes.end(),
-          {dim == 3 ? state_.x(0, node) : 0.0, state_.x(dim - 2, node), state_.x(dim - 1, node)});
+    add_shape(flag_, state_.t, state_.x, state_.v, history_.shapes);
   }
 
   void write_checkpoint() {
@@ -275,8 +271,12 @@ class FlagRun {
     checkpoint_ = path;
   }
 
+  void write_results() const {
+    write_history(history_, flag_.mesh(), settings_.output.contour_times, folder_.path());
+  }
+
   RunResult finish(const std::string& status) {
-    write_history(history_, flag_.mesh(), folder_.path());
+    write_results();
     result_.status = status;
     result_.t_end = state_.t;
     result_.last = history_.rows.back();

@@ -31,11 +31,11 @@ struct RunResult {
 /// z = zeta(x, y) of the initial shape (5.1), or nothing: the flag starts straight.
 using Displacement = std::function<double(double x, double y)>;
 
-/// Computes and writes history.h5, history.csv, shapes.h5 and checkpoint.h5 to the folder. With
-/// `restart`, goes on from that checkpoint to the case's t_end; the result is bit-identical to an
-/// uninterrupted run that wrote a checkpoint at the same time. Settings as check() accepts them.
-/// Throws SolverError (the last checkpoint's name in it), InputError (a checkpoint of another
-/// flag), FileError, Interrupted.
+/// Computes and writes history.h5, history.csv, shapes.h5, shapes.xdmf and checkpoint.h5 to the
+/// folder. With `restart`, goes on from that checkpoint to the case's t_end; the result is
+/// bit-identical to an uninterrupted run that wrote a checkpoint at the same time. Settings as
+/// check() accepts them. Throws SolverError (the last checkpoint's name in it), InputError (a
+/// checkpoint of another flag), FileError, Interrupted.
 RunResult run(const Settings&, const FlagParameters&, const std::optional<Displacement>&,
               const std::optional<std::filesystem::path>& restart, const OutputFolder&,
               bool shows_progress);

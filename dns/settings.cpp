@@ -90,6 +90,11 @@ void declare(Schema& schema, Settings& settings) {
             "between rows of the history, in L/V; 0: every step", not_negative})
       .key({"shape_interval", &settings.output.shape_interval,
             "between shapes of the flag, in L/V; 0: none", not_negative})
+      .key({"contour_times", &settings.output.contour_times,
+            "times at which the strain is drawn on the flag, in L/V: of the kept shapes the "
+            "nearest; "
+            "none: on six at equal intervals",
+            not_negative})
       .key({"checkpoint_interval", &settings.output.checkpoint_interval,
             "between checkpoints, in L/V; 0: at the end only", not_negative})
       .key({"probe_x", &settings.output.probe_x,

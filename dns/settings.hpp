@@ -53,10 +53,11 @@ struct ConvergenceSettings {
 };
 
 struct OutputSettings {
-  double history_interval = 0;      ///< 0: every step
-  double shape_interval = 0;        ///< 0: none
-  double checkpoint_interval = 0;   ///< 0: at the end only
-  double probe_x = 0, probe_y = 1;  ///< at rest: the nearest node's motion is kept
+  double history_interval = 0;        ///< 0: every step
+  double shape_interval = 0;          ///< 0: none
+  std::vector<double> contour_times;  ///< of the shapes whose strain is drawn; empty: a few
+  double checkpoint_interval = 0;     ///< 0: at the end only
+  double probe_x = 0, probe_y = 1;    ///< at rest: the nearest node's motion is kept
 };
 
 struct Settings {

@@ -18,13 +18,17 @@
 #include "common/csv.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text_file.hpp"
+#include "tests/support/xdmf_check.hpp"
 
 namespace pennon {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::DoubleEq;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
 const fs::path source = PENNON_SOURCE_DIR;
@@ -325,6 +329,25 @@ TEST_F(Dns, SaysWhatIsWrongWithAStudyOfConvergence) {
               "--set", "dns.n_x=5", "--set", "dns.flag.n_y=5", "--output", results()});
   EXPECT_EQ(early.status, not_converged);
   EXPECT_THAT(early.err, HasSubstr("take a longer t_end"));
+}
+
+TEST_F(Dns, KeepsShapesThatParaViewOpens) {
+  const auto run = [&](const std::string& side_edges, const std::string& folder) {
+    const Outcome outcome =
+        pennon({"dns", (source / "data/cases/flag/swinging_membrane.toml").string(), "--set",
+                "dns.n_x=6", "--set", "dns.flag.n_y=8", "--set", "dns.t_end=0.5", "--set",
+                "dns.flag.side_edges=" + side_edges, "--output", results(folder)});
+    EXPECT_EQ(outcome.status, done) << outcome.err;
+    return test::check_xdmf(results(folder) + "/shapes.xdmf");
+  };
+  for (const char* side_edges : {"free", "periodic"}) {
+    const test::XdmfSummary found = run(side_edges, side_edges);
+    EXPECT_THAT(found.times, ElementsAre(DoubleEq(0), DoubleEq(0.1), DoubleEq(0.2), DoubleEq(0.3),
+                                         DoubleEq(0.4), DoubleEq(0.5)));
+    EXPECT_THAT(found.attributes, ElementsAre("velocity: Vector at Node", "e_1: Scalar at Cell",
+                                              "e_2: Scalar at Cell", "shear: Scalar at Cell"));
+    EXPECT_THAT(found.faults, IsEmpty());
+  }
 }
 
 TEST_F(Dns, SaysThatTheFluidIsToCome) {
