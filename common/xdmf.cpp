@@ -11,12 +11,6 @@
 namespace pennon::xdmf {
 namespace {
 
-hsize_t product(const hdf5::Shape& shape) {
-  hsize_t result = 1;
-  for (const hsize_t extent : shape) result *= extent;
-  return result;
-}
-
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char letter : text) switch (letter) {
@@ -40,37 +34,30 @@ std::string escaped(const std::string& text) {
 
 hdf5::Shape cells_of(const hdf5::Shape& nodes) {
   hdf5::Shape cells = nodes;
-  for (hsize_t& extent : cells) extent = std::max<hsize_t>(extent - 1, 1);
+  for (hsize_t& extent : cells) {
+    assert(extent > 1);
+    --extent;
+  }
   return cells;
 }
 
-// The values of a block, `components` for each place of `places`.
-std::string item(const Block& block, hdf5::Shape places, hsize_t components) {
-  if (components > 1) places.push_back(components);
-  const std::string array = fmt::format(
-      "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" "
-      "Dimensions=\"{}\">{}:{}</DataItem>",
-      fmt::join(block.shape, " "), escaped(block.file), escaped(block.array));
-  if (block.start.empty() && block.shape == places) return array;
-  const std::size_t rank = block.shape.size();
+std::string item(const Source& source) {
   return fmt::format(
-      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{0}\">"
-      "<DataItem Format=\"XML\" NumberType=\"Int\" Dimensions=\"3 {1}\">{2} {3} {4}</DataItem>"
-      "{5}</DataItem>",
-      fmt::join(places, " "), rank,
-      fmt::join(block.start.empty() ? hdf5::Shape(rank, 0) : block.start, " "),
-      fmt::join(hdf5::Shape(rank, 1), " "),
-      fmt::join(block.start.empty() ? block.shape : block.count, " "), array);
+      "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"{}\">{}:{}"
+      "</DataItem>",
+      fmt::join(source.shape, " "), escaped(source.file), escaped(source.array));
 }
 
-hsize_t values_in(const Block& block) {
-  return product(block.start.empty() ? block.shape : block.count);
+// How many numbers an array holds for each place.
+hsize_t components(const Source& source, const hdf5::Shape& places) {
+  assert(std::equal(places.begin(), places.end(), source.shape.begin()));
+  assert(source.shape.size() <= places.size() + 1);
+  return source.shape.size() == places.size() ? 1 : source.shape.back();
 }
 
 std::string text_of(const Grid& grid, const std::string& name) {
   assert(grid.nodes.size() == 2 || grid.nodes.size() == 3);
-  const hsize_t coordinates = values_in(grid.points) / product(grid.nodes);
-  assert(values_in(grid.points) == coordinates * product(grid.nodes));
+  const hsize_t coordinates = components(grid.points, grid.nodes);
   assert(coordinates == 2 || coordinates == 3);
   std::string text = fmt::format(
       "      <Grid Name=\"{}\" GridType=\"Uniform\">\n"
@@ -78,31 +65,21 @@ std::string text_of(const Grid& grid, const std::string& name) {
       "        <Topology TopologyType=\"{}DSMesh\" Dimensions=\"{}\"/>\n"
       "        <Geometry GeometryType=\"{}\">{}</Geometry>\n",
       escaped(name), grid.time, grid.nodes.size(), fmt::join(grid.nodes, " "),
-      coordinates == 3 ? "XYZ" : "XY", item(grid.points, grid.nodes, coordinates));
+      coordinates == 3 ? "XYZ" : "XY", item(grid.points));
   for (const Attribute& attribute : grid.attributes) {
     const bool is_of_nodes = attribute.center == Center::node;
-    const hdf5::Shape places = is_of_nodes ? grid.nodes : cells_of(grid.nodes);
-    const hsize_t components = values_in(attribute.values) / product(places);
-    assert(values_in(attribute.values) == components * product(places));
-    assert(components == 1 || components == 3);
+    const hsize_t numbers =
+        components(attribute.values, is_of_nodes ? grid.nodes : cells_of(grid.nodes));
+    assert(numbers == 1 || (numbers == 3 && grid.nodes.size() == 3));
     text += fmt::format(
         "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
-        escaped(attribute.name), components == 1 ? "Scalar" : "Vector",
-        is_of_nodes ? "Node" : "Cell", item(attribute.values, places, components));
+        escaped(attribute.name), numbers == 1 ? "Scalar" : "Vector", is_of_nodes ? "Node" : "Cell",
+        item(attribute.values));
   }
   return text + "      </Grid>\n";
 }
 
 }  // namespace
-
-Block row_of(Block whole, hsize_t row) {
-  assert(!whole.shape.empty() && row < whole.shape[0]);
-  whole.start.assign(whole.shape.size(), 0);
-  whole.start[0] = row;
-  whole.count = whole.shape;
-  whole.count[0] = 1;
-  return whole;
-}
 
 void write(const std::filesystem::path& file, const std::string& name,
            const std::vector<Grid>& series) {

@@ -25,12 +25,17 @@ HistoryRow history_row(const Flag<dim>&, const FlagLoads<dim>&, double t, const 
                        const NodeVectors<dim>& v, double dissipated, double work, int probe,
                        int iterations);
 
-/// Where all nodes are at some times, how fast they move, and how the flag is strained.
+/// The flag at some times as a grid of nodes, `rows` along the span by `columns` along the chord: a
+/// periodic span is closed by its first station once more, a period further.
 struct FlagShapes {
+  hsize_t rows = 0, columns = 0;
   std::vector<double> times;
-  std::vector<double> positions;               ///< [shape][node][3]: x, y, z
-  std::vector<double> velocities;              ///< [shape][node][3]
-  std::array<std::vector<double>, 3> strains;  ///< e_1, e_2, shear: [shape][element]; see Stretch
+  std::vector<std::vector<double>> positions;  ///< for each time: x, y, z of each node
+  /// For each time: the velocity's components at the nodes.
+  std::vector<std::array<std::vector<double>, 3>> velocities;
+  /// For each time: e_1, e_2 and shear of the cells; in two dimensions e_1 of the segments. See
+  /// Stretch.
+  std::vector<std::array<std::vector<double>, 3>> strains;
 };
 template <int dim>
 void add_shape(const Flag<dim>&, double t, const NodeVectors<dim>& x, const NodeVectors<dim>& v,
@@ -44,7 +49,7 @@ struct FlagHistory {
 /// Writes history.csv and history.h5 (kind = "flag_history"), and if there are shapes shapes.h5
 /// (kind = "flag_shapes") with shapes.xdmf, by which ParaView draws it. `contour_times`: of the
 /// shapes whose strain will be drawn, kept in shapes.h5. Throws FileError.
-void write_history(const FlagHistory&, const FlagMesh&, const std::vector<double>& contour_times,
+void write_history(const FlagHistory&, const std::vector<double>& contour_times,
                    const std::filesystem::path& folder);
 
 /// The same as part of a checkpoint.

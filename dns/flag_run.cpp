@@ -272,7 +272,7 @@ class FlagRun {
   }
 
   void write_results() const {
-    write_history(history_, flag_.mesh(), settings_.output.contour_times, folder_.path());
+    write_history(history_, settings_.output.contour_times, folder_.path());
   }
 
   RunResult finish(const std::string& status) {

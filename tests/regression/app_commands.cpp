@@ -344,8 +344,9 @@ TEST_F(Dns, KeepsShapesThatParaViewOpens) {
     const test::XdmfSummary found = run(side_edges, side_edges);
     EXPECT_THAT(found.times, ElementsAre(DoubleEq(0), DoubleEq(0.1), DoubleEq(0.2), DoubleEq(0.3),
                                          DoubleEq(0.4), DoubleEq(0.5)));
-    EXPECT_THAT(found.attributes, ElementsAre("velocity: Vector at Node", "e_1: Scalar at Cell",
-                                              "e_2: Scalar at Cell", "shear: Scalar at Cell"));
+    EXPECT_THAT(found.attributes,
+                ElementsAre("v_x: Scalar at Node", "v_y: Scalar at Node", "v_z: Scalar at Node",
+                            "e_1: Scalar at Cell", "e_2: Scalar at Cell", "shear: Scalar at Cell"));
     EXPECT_THAT(found.faults, IsEmpty());
   }
 }
