@@ -92,7 +92,7 @@ std::filesystem::path draw(const SurfacePicture& picture, const std::filesystem:
           low, high, quoted_text(picture.x_label), quoted_text(picture.y_label),
           quoted_text(picture.z_label), quoted_text(picture.value_label)) +
       plot.items + '\n' + plot.data;
-  const std::filesystem::path png = stem.string() + ".png";
+  std::filesystem::path png = stem.string() + ".png";
   run_gnuplot(script, png, png_ending);
   return png;
 }

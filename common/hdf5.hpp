@@ -67,10 +67,11 @@ class Writer {
 
  private:
   std::string says(const std::string& name) const;
+  Handle create(const std::string& name, const Shape&, const Attributes&);
 
   AtomicFile target_;
   Handle file_;
-  std::map<std::string, Handle> open_;
+  std::map<std::string, Handle> open_;  // what is declared
 };
 
 /// Reads a file. All members throw InputError that names the file and what it lacks, and FileError

@@ -49,9 +49,10 @@ std::string array_name(const char* quantity, std::size_t shape) {
   return fmt::format("/{}/{:06}", quantity, shape);
 }
 
-// Writes each shape as arrays of its own and says where they are.
-std::vector<xdmf::Grid> write_shapes(const FlagShapes& shapes, hdf5::Writer& file,
-                                     const std::string& file_name) {
+constexpr const char* shapes_file = "shapes.h5";
+
+// Writes each shape as arrays of its own and says where they are, if `file` is that of the shapes.
+std::vector<xdmf::Grid> write_shapes(const FlagShapes& shapes, hdf5::Writer& file) {
   file.write("/shape_times", {shapes.times.size()}, shapes.times, {{"meaning", "t, in L/V"}});
   const hdf5::Shape nodes = {shapes.rows, shapes.columns};
   const hdf5::Shape cells = {std::max<hsize_t>(shapes.rows - 1, 1), shapes.columns - 1};
@@ -61,7 +62,7 @@ std::vector<xdmf::Grid> write_shapes(const FlagShapes& shapes, hdf5::Writer& fil
                            const std::vector<double>& values) {
       const std::string array = array_name(quantity.name, s);
       file.write(array, shape, values, {{"meaning", quantity.meaning}});
-      return xdmf::Source{file_name, array, shape};
+      return xdmf::Source{shapes_file, array, shape};
     };
     xdmf::Grid grid{shapes.times[s],
                     nodes,
@@ -161,7 +162,7 @@ void add_shape(const Flag<dim>& flag, double t, const NodeVectors<dim>& x,
                const NodeVectors<dim>& v, FlagShapes& shapes) {
   const FlagMesh& mesh = flag.mesh();
   const bool closes = dim == 3 && mesh.is_periodic();
-  shapes.rows = static_cast<hsize_t>(mesh.stations() + (closes ? 1 : 0));
+  shapes.rows = static_cast<hsize_t>(mesh.stations()) + (closes ? 1 : 0);
   shapes.columns = static_cast<hsize_t>(mesh.chord_nodes());
   const auto nodes = static_cast<Eigen::Index>(shapes.rows * shapes.columns);
   const auto closed = [&](const NodeVectors<dim>& vectors, double period) {
@@ -206,9 +207,9 @@ void write_history(const FlagHistory& history, const std::vector<double>& contou
   rows.finish();
 
   if (history.shapes.times.empty()) return;
-  hdf5::Writer shapes(folder / "shapes.h5");
+  hdf5::Writer shapes(folder / shapes_file);
   shapes.attributes({{"kind", "flag_shapes"}});
-  const std::vector<xdmf::Grid> series = write_shapes(history.shapes, shapes, "shapes.h5");
+  const std::vector<xdmf::Grid> series = write_shapes(history.shapes, shapes);
   shapes.write("/contour_times", {contour_times.size()}, contour_times,
                {{"meaning", "of the shapes whose strain is drawn, in L/V"}});
   shapes.finish();
@@ -217,7 +218,7 @@ void write_history(const FlagHistory& history, const std::vector<double>& contou
 
 void write_history(const FlagHistory& history, hdf5::Writer& file) {
   write_rows(history, file);
-  if (!history.shapes.times.empty()) write_shapes(history.shapes, file, {});
+  if (!history.shapes.times.empty()) write_shapes(history.shapes, file);
 }
 
 FlagHistory read_history(const hdf5::Reader& file) {

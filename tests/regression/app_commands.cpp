@@ -348,6 +348,7 @@ TEST_F(Dns, KeepsShapesThatParaViewOpens) {
                 ElementsAre("v_x: Scalar at Node", "v_y: Scalar at Node", "v_z: Scalar at Node",
                             "e_1: Scalar at Cell", "e_2: Scalar at Cell", "shear: Scalar at Cell"));
     EXPECT_THAT(found.faults, IsEmpty());
+    EXPECT_TRUE(fs::exists(results(side_edges) + "/shapes_strain.png"));
   }
 }
 
