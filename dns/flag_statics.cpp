@@ -32,8 +32,9 @@ constexpr double nudge = 1e-3;
 // tension, however stiff its stretch is; along straight lines it could turn by (K_B/K_S)^1/4 only.
 // With a held trailing edge, which the turned segments would miss, the move is straight.
 template <int dim>
-NodeVectors<dim> moved(const FlagMesh& mesh, const NodeVectors<dim>& x,
+NodeVectors<dim> moved(const Flag<dim>& flag, const NodeVectors<dim>& x,
                        const NodeVectors<dim>& change) {
+  const FlagMesh& mesh = flag.mesh();
   NodeVectors<dim> result = x + change;
   if (mesh.edges().trailing != Edge::free) return result;
   for (int i = 0; i < mesh.stations(); ++i)
@@ -45,7 +46,9 @@ NodeVectors<dim> moved(const FlagMesh& mesh, const NodeVectors<dim>& x,
       const double length = before.norm() + before.dot(added) / before.norm();
       result.col(to) = result.col(from) + length * (before + added).normalized();
     }
-  return result;
+  NodeVectors<dim> move = result - x;
+  flag.clear_held(move);  // of the sides: not even by rounding
+  return x + move;
 }
 
 // Minimises the potential energy (that of the flag less the work of the loads, a follower pressure
@@ -88,7 +91,7 @@ class Descent {
         largest = nudge;
       }
       const bool is_near = added_mass == 0 && largest <= newton_alone;
-      NodeVectors<dim> trial = moved(flag_.mesh(), x, change);
+      NodeVectors<dim> trial = moved(flag_, x, change);
       if (!is_near && !lowers_energy(x, trial)) {
         added_mass = std::max(10 * added_mass, least_mass(forces, change));
         continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "dns/tangent_matrix_factors.hpp"
@@ -126,12 +127,11 @@ class TangentMatrix<dim>::Sparse {
     return uses_cholesky_;
   }
   void solve(Eigen::VectorXd& b) {
-    if (uses_cholesky_ && cholesky_->is_exact()) {
-      cholesky_->solve(b, solution_);
-    } else if (!uses_cholesky_ || !iterate(b)) {
-      if (uses_cholesky_ && !factor_general()) solution_.setConstant(b.size(), NAN);
-      if (!uses_cholesky_) lu_->solve(matrix_, b, solution_);
-    }
+    const bool is_solved = uses_cholesky_ && solve_by_cholesky(b);
+    if (!is_solved && uses_cholesky_ && !factor_general())
+      solution_.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
+    else if (!is_solved)
+      lu_->solve(matrix_, b, solution_);
     b.swap(solution_);
   }
 
@@ -141,6 +141,11 @@ class TangentMatrix<dim>::Sparse {
     if (!lu_) lu_.emplace(matrix_);
     uses_cholesky_ = false;
     return lu_->factor(matrix_);
+  }
+  bool solve_by_cholesky(const Eigen::VectorXd& b) {
+    if (!cholesky_->is_exact()) return iterate(b);
+    cholesky_->solve(b, solution_);
+    return true;
   }
   // With z = S^-1 (b - A x) and its square z.S z the turns are x_1 = z_0,
   // x_k+1 = x_k-1 + w (x_k - x_k-1 + z_k), 1/w = 1 + z_k.S z_k/(z_k-1.S z_k-1)/(the last w).
