@@ -308,7 +308,7 @@ TEST_F(Dns, FindsTheOrderOfItsGridsByFigure21) {
 }
 
 TEST_F(Dns, SaysWhatIsWrongWithAStudyOfConvergence) {
-  const auto fault_of = [&](std::vector<std::string> changes) {
+  const auto fault_of = [&](const std::vector<std::string>& changes) {
     std::vector<std::string> arguments = {
         "dns", (source / "data/cases/flag/figure22.toml").string(), "--check"};
     for (const std::string& change : changes) arguments.insert(arguments.end(), {"--set", change});

@@ -71,7 +71,7 @@ class XdmfCheck {
                   const std::string& name) {
     if (components > 1) expected.push_back(components);
     expect(dimensions_of(item) == expected, name + " has other dimensions than its grid");
-    const std::string source = item.data();
+    const std::string& source = item.data();
     const std::size_t colon = source.find(':');
     const hdf5::Reader file(folder_ / source.substr(0, colon));
     expect(file.shape(source.substr(colon + 1)) == dimensions_of(item),
