@@ -87,7 +87,8 @@ std::filesystem::path draw(const SurfacePicture& picture, const std::filesystem:
   const std::string script =
       png_terminal() + stage + sequential_palette(bands) +
       fmt::format(
-          "set cbrange [{}:{}]\nset xlabel {}\nset ylabel {}\nset zlabel {}\nset cblabel {} offset "
+          "set cbrange [{}:{}]\nset xlabel {}\nset ylabel {} offset 0,-0.8\nset zlabel {}\nset "
+          "cblabel {} offset "
           "1,0\n",
           low, high, quoted_text(picture.x_label), quoted_text(picture.y_label),
           quoted_text(picture.z_label), quoted_text(picture.value_label)) +
