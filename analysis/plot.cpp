@@ -35,7 +35,10 @@ std::vector<std::filesystem::path> plot(const std::filesystem::path& path) {
   const hdf5::Reader file(path);
   std::filesystem::path stem = path;
   stem.replace_extension();
-  return draw(figure_of(path, file), stem);
+  std::vector<std::filesystem::path> pictures = draw(figure_of(path, file), stem);
+  if (file.text("/", "kind") == "flag_shapes" && file.shape("/position/000000")[0] > 1)
+    pictures.push_back(draw(picture_of_strain(file), stem.string() + "_strain"));
+  return pictures;
 }
 
 }  // namespace pennon::analysis

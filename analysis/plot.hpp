@@ -9,9 +9,9 @@
 
 namespace pennon::analysis {
 
-/// Draws the picture of an output file beside it (map.h5: map.png and map.svg) and returns the
-/// names of the pictures. Throws InputError where the file is none of pennon's, FileError as
-/// draw().
+/// Draws the picture of an output file beside it (map.h5: map.png and map.svg; of shapes of a flag
+/// with a span shapes_strain.png besides) and returns the names of the pictures. Throws InputError
+/// where the file is none of pennon's, FileError as draw().
 std::vector<std::filesystem::path> plot(const std::filesystem::path& file);
 
 }  // namespace pennon::analysis

@@ -94,13 +94,16 @@ Answer run_convergence(const Case& the_case, const OutputFolder& folder, Record&
   const dns::Convergence found =
       dns::run_convergence(the_case.dns, the_case.flag, folder, !options.quiet);
   analysis::plot(folder / "convergence.h5");
-  std::string text = fmt::format("{}: equilibria on {} grids\n     n     deflection\n",
-                                 the_case.name, found.n.size());
-  for (std::size_t k = 0; k < found.n.size(); ++k)
-    text += fmt::format("  {:4} {:14.8g}\n", found.n[k], found.deflection[k]);
-  text +=
-      fmt::format("  {} {:.8g}; the error falls with the power {:.2f} of the spacing\n",
-                  found.is_limit_given ? "reference" : "extrapolated", found.limit, found.order);
+  const bool is_step = found.refinement == dns::Refinement::step;
+  std::string text =
+      fmt::format("{}: {}\n  {:>7} {:>14}\n", the_case.name,
+                  is_step ? "a vibration with several time steps" : "equilibria on several grids",
+                  dns::size_name(found.refinement), dns::value_name(found.refinement));
+  for (std::size_t k = 0; k < found.sizes.size(); ++k)
+    text += fmt::format("  {:7} {:14.8g}\n", found.sizes[k], found.values[k]);
+  text += fmt::format("  {} {:.8g}; the error falls with the power {:.2f} of the {}\n",
+                      found.is_limit_given ? "reference" : "extrapolated", found.limit, found.order,
+                      is_step ? "time step" : "spacing");
   return {{{"convergence", to_json(found)}}, text};
 }
 

@@ -16,6 +16,33 @@ constexpr double most_cells = 1e9;
 constexpr Range node_count{3, 100'000};
 constexpr Range cell_count{6, 10'000};
 
+template <class Order, class Value>
+bool is_list_in(Order out_of_order, const std::vector<Value>& values) {
+  return values.size() >= 2 && std::ranges::adjacent_find(values, out_of_order) == values.end();
+}
+
+template <class About>
+void check(const ConvergenceSettings& convergence, const Settings& settings, const About& about) {
+  if (convergence.n.empty() == convergence.dt.empty()) {
+    about("convergence", "needs either n, to compare grids, or dt, to compare time steps");
+  } else if (convergence.dt.empty()) {
+    if (!settings.flag.equilibrium)
+      about("convergence.n", "compares equilibria; dns.flag.equilibrium = true is missing");
+    if (!is_list_in(std::greater_equal<>(), convergence.n))
+      about("convergence.n", "must list at least two numbers of nodes in increasing order");
+  } else {
+    if (settings.flag.equilibrium)
+      about("convergence.dt",
+            "compares vibrations; dns.flag.equilibrium = true finds a shape at rest instead");
+    if (!is_list_in(std::less_equal<>(), convergence.dt))
+      about("convergence.dt", "must list at least two time steps in decreasing order");
+    if (settings.output.history_interval != 0)
+      about("output.history_interval",
+            fmt::format("= {} leaves steps out; dns.convergence.dt needs every one: 0 is right",
+                        settings.output.history_interval));
+  }
+}
+
 }  // namespace
 
 void declare(Schema& schema, Settings& settings) {
@@ -115,7 +142,10 @@ void declare(Schema& schema, Settings& settings) {
       .key({"B", &settings.initial.B, "amplitudes of the sines in (5.1), n = 0, 1, ..., in L"})
       .key({"angle", &settings.initial.angle,
             "of the straight flag about its leading edge, in radians",
-            Range{-std::numbers::pi, std::numbers::pi}});
+            Range{-std::numbers::pi, std::numbers::pi}})
+      .key({"plate_mode", &settings.initial.plate_mode,
+            "amplitude of sin(pi x/gamma) sin(pi y), the first mode of a plate supported along all "
+            "edges, in L"});
   schema.table("dns.output", "What is kept, and how often.")
       .key({"history_interval", &settings.output.history_interval,
             "between rows of the history, in L/V; 0: every step", not_negative})
@@ -123,6 +153,11 @@ void declare(Schema& schema, Settings& settings) {
             "between shapes of the flag, in L/V; 0: none", not_negative})
       .key({"field_interval", &settings.output.field_interval,
             "between fields of the fluid, in L/V; 0: none", not_negative})
+      .key({"contour_times", &settings.output.contour_times,
+            "times at which the strain is drawn on the flag, in L/V: of the kept shapes the "
+            "nearest; "
+            "none: on six at equal intervals",
+            not_negative})
       .key({"checkpoint_interval", &settings.output.checkpoint_interval,
             "between checkpoints, in L/V; 0: at the end only", not_negative})
       .key({"probe_x", &settings.output.probe_x,
@@ -130,11 +165,15 @@ void declare(Schema& schema, Settings& settings) {
       .key({"probe_y", &settings.output.probe_y, "y at rest of that place", Range{0, 1}});
   schema
       .table("dns.convergence",
-             "The equilibrium on several grids, n x n nodes: the error of the probe's z.",
+             "One flag refined: its equilibrium on several grids of n x n nodes, and the error of "
+             "the probe's z; or its vibration with several time steps dt, and the error of the "
+             "probe's frequency.",
              &settings.convergence.is_given)
-      .key({"n", &settings.convergence.n, "nodes along each side, for each grid", node_count, true})
-      .key({"reference", &settings.convergence.reference, "exact z of the probe, in L", any_sign,
-            false, "extrapolated from the last two grids"});
+      .key({"n", &settings.convergence.n, "nodes along each side, for each grid", node_count})
+      .key({"dt", &settings.convergence.dt, "time steps, in L/V, instead of n", positive})
+      .key({"reference", &settings.convergence.reference,
+            "exact z of the probe, in L, or its exact angular frequency, in V/L", any_sign, false,
+            "extrapolated from the last two"});
 }
 
 namespace {
@@ -210,14 +249,18 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
   }
   if (settings.initial.angle != 0 && (!settings.initial.A.empty() || !settings.initial.B.empty()))
     about("initial.angle", "contradicts dns.initial.A or B: the flag starts straight or as (5.1)");
-  if (settings.convergence.is_given) {
-    if (!settings.flag.equilibrium)
-      about("convergence", "compares equilibria; dns.flag.equilibrium = true is missing");
-    if (settings.convergence.n.size() < 2 ||
-        std::ranges::adjacent_find(settings.convergence.n, std::greater_equal<>()) !=
-            settings.convergence.n.end())
-      about("convergence.n", "must list at least two numbers of nodes in increasing order");
+  if (settings.initial.plate_mode != 0) {
+    if (!settings.initial.A.empty() || !settings.initial.B.empty() || settings.initial.angle != 0)
+      about("initial.plate_mode",
+            "contradicts dns.initial.A, B or angle: the plate starts as one of "
+            "them");
+    if (!flag.gamma || flag.leading_edge != LeadingEdge::pinned ||
+        settings.flag.trailing_edge != Edge::pinned || settings.flag.side_edges != Edge::pinned)
+      about("initial.plate_mode",
+            "is the mode of a plate supported along all edges: it needs flag.gamma, and "
+            "flag.leading_edge, dns.flag.trailing_edge and dns.flag.side_edges = \"pinned\"");
   }
+  if (settings.convergence.is_given) check(settings.convergence, settings, about);
   if (settings.flag.equilibrium && flag.K_B == 0)
     about("flag.equilibrium",
           "= true needs bending: without flag.K_B a slack flag has no stiffness across; let it "

@@ -43,12 +43,14 @@ struct LoadSettings {
 struct InitialSettings {
   std::vector<double> A, B;  ///< of (5.1)
   double angle = 0;          ///< of the straight flag about its leading edge, radians
+  double plate_mode = 0;     ///< amplitude of sin(pi x/gamma) sin(pi y)
 };
 
 struct ConvergenceSettings {
   bool is_given = false;
   std::vector<std::int64_t> n;      ///< nodes along each side
-  std::optional<double> reference;  ///< exact z of the probe
+  std::vector<double> dt;           ///< or time steps
+  std::optional<double> reference;  ///< exact z of the probe, or its exact angular frequency
 };
 
 enum class MotionKind { rigid, heave, pitch, wave, mode };
@@ -91,11 +93,12 @@ struct ProbeSettings {
 };
 
 struct OutputSettings {
-  double history_interval = 0;      ///< 0: every step
-  double shape_interval = 0;        ///< 0: none
-  double field_interval = 0;        ///< 0: none
-  double checkpoint_interval = 0;   ///< 0: at the end only
-  double probe_x = 0, probe_y = 1;  ///< at rest: the nearest node's motion is kept
+  double history_interval = 0;        ///< 0: every step
+  double shape_interval = 0;          ///< 0: none
+  std::vector<double> contour_times;  ///< of the shapes whose strain is drawn; empty: a few
+  double field_interval = 0;          ///< 0: none
+  double checkpoint_interval = 0;     ///< 0: at the end only
+  double probe_x = 0, probe_y = 1;    ///< at rest: the nearest node's motion is kept
 };
 
 struct Settings {
