@@ -93,8 +93,11 @@ Figure figure_of_fluid_history(const hdf5::Reader& file) {
 }
 
 Figure figure_of_fluid_fields(const hdf5::Reader& file) {
-  const hdf5::Array y = file.read("/y"), z = file.read("/z"), omega = file.read("/omega_x");
-  const std::size_t n_rho = omega.shape[1], n_theta = omega.shape[2];
+  const hdf5::Array points = file.read("/points"), omega = file.read("/omega_x");
+  const std::size_t n_rho = *(omega.shape.end() - 2), n_theta = omega.shape.back();
+  const std::size_t components = points.shape.back();  // y, z, and x before them where there is one
+  const auto y = [&](std::size_t corner) { return points.values[(corner + 1) * components - 2]; };
+  const auto z = [&](std::size_t corner) { return points.values[(corner + 1) * components - 1]; };
   // The value at a corner is the mean of the cells about it.
   const auto vertex = [&](std::size_t j, std::size_t i) {
     double sum = 0, count = 0;
@@ -106,7 +109,7 @@ Figure figure_of_fluid_fields(const hdf5::Reader& file) {
       }
     }
     const std::size_t corner = j * (n_theta + 1) + i;
-    return Vertex{y.values[corner], z.values[corner], sum / count};
+    return Vertex{y(corner), z(corner), sum / count};
   };
   Figure figure;
   figure.x = {"{/:Italic y}/{/:Italic L}", false, y_low, y_high};
@@ -128,8 +131,8 @@ Figure figure_of_fluid_fields(const hdf5::Reader& file) {
   figure.field = std::move(field);
   Line flag;
   for (std::size_t i = 0; i <= n_theta / 2; ++i) {
-    flag.x.push_back(y.values[i]);
-    flag.y.push_back(z.values[i]);
+    flag.x.push_back(y(i));
+    flag.y.push_back(z(i));
   }
   flag.width = 2.5;
   figure.lines.push_back(std::move(flag));

@@ -137,7 +137,14 @@ class FluidRun {
   }
 
   void keep_fields() {
-    write_fields(fluid_, state_, folder_ / fmt::format("fields_{:05}.h5", fields_++));
+    const auto name = [](std::size_t k) { return fmt::format("fields_{:05}.h5", k); };
+    write_fields(fluid_, state_, folder_ / name(field_times_.size()));
+    field_times_.push_back(state_.t);
+    if (!ranks::is_leading()) return;
+    std::vector<xdmf::Grid> series;
+    for (std::size_t k = 0; k < field_times_.size(); ++k)
+      series.push_back(described_fields(fluid_, field_times_[k], name(k)));
+    xdmf::write(folder_ / "fields.xdmf", "fluid", series);
   }
 
   void write_checkpoint() {
@@ -149,8 +156,8 @@ class FluidRun {
                         {"t", state_.t},
                         {"previous_dt", state_.previous_dt},
                         {"dt", dt_},
-                        {"step", step_},
-                        {"fields", fields_}});
+                        {"step", step_}});
+      if (!field_times_.empty()) file->write("/field_times", {field_times_.size()}, field_times_);
     }
     const Extent& extent = fluid_.extent();
     const auto planes = static_cast<hsize_t>(fluid_.span().planes());
@@ -227,7 +234,7 @@ class FluidRun {
     state_.previous_dt = file.number("/", "previous_dt", 0);
     dt_ = file.number("/", "dt", settings_.dt);
     step_ = static_cast<std::int64_t>(file.number("/", "step", 0));
-    fields_ = static_cast<std::int64_t>(file.number("/", "fields", 0));
+    if (file.contains("/field_times")) field_times_ = file.read("/field_times").values;
     if (file.contains("/history")) history_ = read_fluid_history(file);
     checkpoint_ = path;
   }
@@ -238,7 +245,8 @@ class FluidRun {
   WallMotion motion_;
   FluidState state_;
   double dt_ = 0;
-  std::int64_t step_ = 0, fields_ = 0, pressure_iterations_ = 0;
+  std::int64_t step_ = 0, pressure_iterations_ = 0;
+  std::vector<double> field_times_;
   FluidHistory history_;
   fs::path checkpoint_;
   FluidRunResult result_;

@@ -10,6 +10,7 @@
 #include "common/csv.hpp"
 #include "common/hdf5.hpp"
 #include "tests/support/commands.hpp"
+#include "tests/support/xdmf_check.hpp"
 
 namespace pennon {
 namespace {
@@ -89,6 +90,29 @@ TEST_F(DnsFluid, DoesNotDependOnTheNumberOfRanks) {
   const std::vector<double> one = omega("1"), four = omega("4");
   ASSERT_EQ(one.size(), four.size());
   for (std::size_t cell = 0; cell < one.size(); ++cell) EXPECT_NEAR(one[cell], four[cell], 1e-8);
+}
+
+TEST_F(DnsFluid, KeepsFieldsThatParaViewOpens) {
+  const std::string flow =
+      "[dns]\nn_rho = 12\nn_theta = 24\nwall_spacing = 0.05\ndt = 0.01\nt_end = 0.04\n"
+      "n_x = 4\n[dns.motion]\nkind = \"rigid\"\n[dns.output]\nfield_interval = 0.02\n";
+  const std::vector<std::string> in_the_plane = {"v: Scalar at Cell", "w: Scalar at Cell",
+                                                 "p: Scalar at Cell", "omega_x: Scalar at Cell"};
+  const std::vector<std::string> in_space = {"v: Scalar at Cell",       "w: Scalar at Cell",
+                                             "u: Scalar at Cell",       "p: Scalar at Cell",
+                                             "omega_x: Scalar at Cell", "omega_y: Scalar at Cell",
+                                             "omega_z: Scalar at Cell", "omega_s: Scalar at Cell"};
+  for (const bool has_span : {false, true}) {
+    const std::string file = case_file(flow, has_span ? "gamma = 1\n" : "");
+    const Outcome outcome = pennon({"dns", file, "--quiet", "--output", results()});
+    ASSERT_EQ(outcome.status, done) << outcome.err;
+    const test::XdmfSummary found = test::check_xdmf(results() + "/fields.xdmf");
+    EXPECT_THAT(found.faults, testing::IsEmpty());
+    EXPECT_EQ(found.times.size(), 3U);
+    EXPECT_EQ(found.attributes, has_span ? in_space : in_the_plane);
+    EXPECT_EQ(pennon({"plot", results() + "/fields_00002.h5"}).status, done);
+    EXPECT_TRUE(fs::exists(results() + "/fields_00002.png"));
+  }
 }
 
 TEST_F(DnsFluid, SaysThatTwoDimensionsRunOnOneRank) {
