@@ -226,22 +226,25 @@ void Fluid::velocity_operator(const double* in, double* out) {
   unpack(in, f_);
   const auto extend = [&](bool is_viscous) {
     for (int plane = 0; plane < extent_.planes; ++plane) {
-      extend_to_wall(plane, no_velocity_.data(), f_);
       extend_outward(plane, is_inflow_,
                      static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta), 0.0,
                      is_viscous, f_);
-      f_.wrap_theta(plane, -2, n_rho + 2);
+      f_.wrap_theta(plane, n_rho, n_rho + 2);
     }
   };
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    extend_to_wall(plane, no_velocity_.data(), f_);
+    f_.wrap_theta(plane, -2, n_rho);
+  }
   extend(true);
   balance_of_gradient(f_, true, balance_);
   extend(false);
   convect(f_, work_);
   for_each_row(extent_, [&](int plane, int j) {
     const double *balance = balance_.row(plane, j), *volume = metrics_.volume.row(plane, j);
-    const double* convection = work_.row(plane, j);
+    const double* carried = work_.row(plane, j);
     for (int i = 0; i < n_theta; ++i, ++in, ++out)
-      *out = volume[i] * (next_weight_ * *in + convection[i]) - balance[i] / parameters_.Re;
+      *out = volume[i] * (next_weight_ * *in + carried[i]) - balance[i] / parameters_.Re;
   });
 }
 
@@ -249,9 +252,7 @@ void Fluid::velocity_operator(const double* in, double* out) {
 // balance_of_gradient() leaves there.
 void Fluid::convect(const Field<double>& f, Field<double>& result) {
   for (int plane = 0; plane < extent_.planes; ++plane)
-    for (int j = 0; j < extent_.n_rho; ++j) std::fill_n(result.row(plane, j), extent_.n_theta, 0.0);
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    add_convection(plane, C_s_, C_t_, f, upwinding_, result);
+    convection(plane, C_s_, C_t_, f, upwinding_, result);
   if (!span_.has_span()) return;
   for_each_row(extent_, [&](int plane, int j) {
     const double *u = C_x_.row(plane, j), *f_xi = f_xi_.row(plane, j);
@@ -464,13 +465,13 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
     std::size_t cell = 0;
     for_each_row(extent_, [&](int plane, int j) {
       const double *u = state.u[c].row(plane, j), *u_last = state.u_last[c].row(plane, j);
-      const double *convection = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+      const double *carried = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
       const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
       const double* p_c = has_gradient ? gradient_[c].row(plane, j) : nullptr;
       for (int i = 0; i < n_theta; ++i)
         right_[cell++] = balance[i] / parameters_.Re -
                          volume[i] * (D.next * f[i] + D.last * u[i] + D.before * u_last[i] +
-                                      convection[i] + (has_gradient ? p_c[i] : 0.0));
+                                      carried[i] + (has_gradient ? p_c[i] : 0.0));
     });
     if (manufactured_.force) add_force(state, c, t);
     std::ranges::fill(solution_, 0.0);

@@ -83,7 +83,7 @@ struct FluidSettings {
   std::optional<double> first_dt;
   Convection convection = Convection::kawamura_kuwahara;
   double pressure_tolerance = 1e-6;
-  double velocity_tolerance = 1e-8;
+  double velocity_tolerance = 1e-7;
   double grid_tolerance = 1e-6;
 };
 
