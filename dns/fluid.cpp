@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "common/errors.hpp"
 #include "common/ranks.hpp"
@@ -72,6 +74,18 @@ void combine(double a, const Field<double>& f, double b, const Field<double>& g,
   double* to = sum.values().data();
   for (std::size_t k = 0; k < sum.values().size(); ++k) to[k] = a * from[k] + b * other[k];
 }
+
+class StopWatch {
+ public:
+  // Seconds since the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
 
 }  // namespace
 
@@ -357,7 +371,6 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
     fail(t, fmt::format("the grid folds in the plane x = {:.4g}: the flag bends too sharply for "
                         "dns.n_theta = {}, or moves too far in a step of dns.dt",
                         ranks::largest(std::isnan(folded) ? -1 : folded), n_theta));
-  update_all_metrics(next);
   const auto velocity_of = [&](const Field<double>& d0, const Field<double>& d1,
                                const Field<double>& d2, Field<double>& at_cells,
                                std::vector<double>& at_wall) {
@@ -615,9 +628,15 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
 FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, double dt) {
   const BackwardDifference D(dt, state.previous_dt);
   FluidStepSummary summary;
+  StopWatch watch;
   move_grid(state, wall, D, state.t + dt, summary);
+  summary.seconds.grid = watch.lap();
+  update_all_metrics(state.grid[0]);
+  summary.seconds.metrics = watch.lap();
   predict(state, D, state.t + dt, summary);
+  summary.seconds.prediction = watch.lap();
   project(state, D, summary, false);
+  summary.seconds.projection = watch.lap();
   summary.CFL = ranks::largest(summary.CFL);
   summary.least_area = ranks::least(summary.least_area);
   summary.grid_passes = static_cast<int>(ranks::largest(summary.grid_passes));

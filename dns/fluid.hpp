@@ -63,13 +63,18 @@ struct FluidState {
   std::vector<bool> is_inflow;             ///< of the outer faces, plane by plane
 };
 
+/// Wall seconds of a step by phase.
+struct FluidStepTimes {
+  double grid = 0, metrics = 0, prediction = 0, projection = 0;
+};
+
 struct FluidStepSummary {
   int pressure_iterations = 0;
   int velocity_iterations = 0;  ///< the most of a component
   int grid_passes = 0;          ///< the most of a plane
   double least_area = 1;        ///< of a cell, over its area at rest
   double CFL = 0;               ///< largest Courant number, sum over the directions
-  double divergence = 0;        ///< root mean square of what is left, V/L
+  FluidStepTimes seconds;
 };
 
 class Fluid {
