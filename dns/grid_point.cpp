@@ -79,8 +79,10 @@ std::optional<GridPoint> find_point(const OGrid& grid, const Displacement<double
     const double d_theta = (at.by_rho.real() * left.imag() - at.by_rho.imag() * left.real()) / J;
     bool is_nearer = false;
     for (double share = 1; share > 1e-3 && !is_nearer; share /= 2) {
-      const double next_rho = std::clamp(rho + share * d_rho, 0.0, rho_max);
-      const double next_theta = wrapped(theta + share * d_theta);
+      // Through the flag lies its other side: (-rho, theta) is (rho, -theta) there.
+      const double through = rho + share * d_rho;
+      const double next_rho = std::min(std::abs(through), rho_max);
+      const double next_theta = wrapped((through < 0 ? -1 : 1) * (theta + share * d_theta));
       const double next =
           std::abs(moved(grid, displacement, plane, next_rho, next_theta).place - target);
       if (next >= distance) continue;

@@ -8,4 +8,4 @@ pennon_test(test_flag_validation LABEL verification
             LINK pennon::dns pennon::modes)
 pennon_test(test_fluid_verification LABEL verification
             SOURCES verification/fluid_manufactured.cpp LINK pennon::dns)
-pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp LINK pennon::dns)
+pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp unit/fluid_parts.cpp LINK pennon::dns)
