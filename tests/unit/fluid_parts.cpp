@@ -271,7 +271,7 @@ double error_of_vorticity(int n_rho) {
 }
 
 TEST(Vorticity, OfARigidRotationIsTwiceItsRate) {
-  const double coarse = error_of_vorticity(24), fine = error_of_vorticity(48);
+  const double coarse = error_of_vorticity(48), fine = error_of_vorticity(96);
   EXPECT_LT(fine, 0.02);
   EXPECT_GT(std::log2(coarse / fine), 1.8);
 }
