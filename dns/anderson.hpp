@@ -1,5 +1,6 @@
-/// Anderson's acceleration of a fixed-point iteration x <- x + f(x) (Anderson 1965; type II of Walker
-/// & Ni 2011): the next x is the combination of the last ones whose f is least, and its f added.
+/// Anderson's acceleration of a fixed-point iteration x <- x + f(x) (Anderson 1965; type II of
+/// Walker & Ni 2011): the next x is the combination of the last ones whose f is least, and its f
+/// added.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,14 +13,18 @@ class Anderson {
   Anderson(Eigen::Index n, int depth);
 
   /// Forgets the earlier iterates.
-  void restart() { kept_ = 0; has_last_ = false; }
+  void restart() {
+    kept_ = 0;
+    has_last_ = false;
+  }
   /// Takes x, where f(x) was found, to the next iterate.
   void advance(Eigen::Ref<Eigen::VectorXd> x, const Eigen::Ref<const Eigen::VectorXd>& f);
 
  private:
-  Eigen::MatrixXd x_differences_, f_differences_;  // a column each, the oldest is replaced
-  Eigen::MatrixXd products_;                       // of the columns of f_differences_
-  Eigen::VectorXd last_x_, last_f_;
+  Eigen::MatrixXd next_differences_, f_differences_;  // of x + f and f; the oldest is replaced
+  Eigen::MatrixXd products_;                          // of the columns of f_differences_
+  Eigen::VectorXd last_next_, last_f_;
+  Eigen::VectorXd right_, last_right_;  // products of those columns and f
   int kept_ = 0, next_ = 0;
   bool has_last_ = false;
 };

@@ -94,8 +94,8 @@ struct Writer {
     const Row<Scalar> d = row(j), d_xi = slope_row(j);
     write_faces<has_span>(metrics.rho_faces, plane, j, grid.n_theta(), 1, [=](int i) {
       const Pair<Scalar> Z{sinh * cos[i], cosh * sin[i]}, iZ{-cosh * sin[i], sinh * cos[i]};
-      const Pair<Scalar> d_s = 0.5 * (w0 * (d0[i] + d0[i + 1]) + w1 * (d1[i] + d1[i + 1]) +
-                                      w2 * (d2[i] + d2[i + 1]));
+      const Pair<Scalar> d_s =
+          0.5 * (w0 * (d0[i] + d0[i + 1]) + w1 * (d1[i] + d1[i + 1]) + w2 * (d2[i] + d2[i + 1]));
       const Pair<Scalar> d_t = d[i + 1] - d[i];
       Site<Scalar> at{step * Z + d_s, theta_step[i] * iZ + d_t, 2 * half_sine[i] * iZ + d_t, {}};
       if constexpr (has_span) at.r_xi = 0.5 * (d_xi[i] + d_xi[i + 1]);
@@ -130,7 +130,7 @@ struct Writer {
     const double step = rho.step[at_j];
     const double cosh_half = 2 * rho.cosh_half_step[at_j], sinh_half = 2 * rho.sinh_half_step[at_j];
     const double *cos = theta.cos_centre.data(), *sin = theta.sin_centre.data();
-    const double *theta_step = theta.step.data();
+    const double* theta_step = theta.step.data();
     const double *cos_half = theta.cos_half_step.data(), *sin_half = theta.sin_half_step.data();
     const Row<Scalar> d0 = row(j), d1 = row(j + 1), xi0 = slope_row(j), xi1 = slope_row(j + 1);
     Scalar *s_y = metrics.s_y.row(plane, j), *s_z = metrics.s_z.row(plane, j);

@@ -10,9 +10,10 @@
 /// Two rules keep a uniform stream uniform and the edges of the flag exact:
 /// - Area vectors come from the corners, so that those of a cell sum to zero; along x, they sum to
 ///   minus the change of its volume.
-/// - grad s and grad t are taken pointwise, where they are used: those of the conformal grid by their
-///   formula, those of the displacement by differences. (Forming them from areas and mean volumes is
-///   wrong by a factor 20 at the face next to the trailing edge.)
+/// - grad s and grad t are taken pointwise, where they are used: those of the conformal grid by
+/// their
+///   formula, those of the displacement by differences. (Forming them from areas and mean volumes
+///   is wrong by a factor 20 at the face next to the trailing edge.)
 /// On the conformal grid area . grad s is then a product of a function of rho and one of theta, and
 /// area . grad t vanishes: the flat solver inverts these very operators.
 ///
@@ -27,9 +28,9 @@
 
 namespace pennon::dns {
 
-/// Of the faces across one direction: (area_x, area_y, area_z) is the area vector, pointing along the
-/// growing coordinate; `along` and `across` are area . grad of the coordinate across the face and of
-/// the other one.
+/// Of the faces across one direction: (area_x, area_y, area_z) is the area vector, pointing along
+/// the growing coordinate; `along` and `across` are area . grad of the coordinate across the face
+/// and of the other one.
 template <class Scalar>
 struct FaceMetrics {
   Field<Scalar> area_x, area_y, area_z, along, across;

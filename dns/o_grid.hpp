@@ -23,8 +23,8 @@ struct OGridSettings {
   double wake_clustering = 0.0;  ///< b of theta = t - b sin t, 0 <= b < 1: denser about theta = 0
 };
 
-/// Functions of rho that the moving grid asks for again and again: at the corners j = 0 .. n_rho, at
-/// the centres, of half a cell's step. `step` and `face_step` are OGrid's.
+/// Functions of rho that the moving grid asks for again and again: at the corners j = 0 .. n_rho,
+/// at the centres, of half a cell's step. `step` and `face_step` are OGrid's.
 struct RhoTable {
   std::vector<double> cosh, sinh, cosh_centre, sinh_centre, cosh_half_step, sinh_half_step;
   std::vector<double> step, face_step;
@@ -51,9 +51,9 @@ class OGrid {
   /// Of cell centres: midpoints.
   double rho_centre(int j) const { return (rho(j) + rho(j + 1)) / 2; }
   double theta_centre(int i) const { return (theta(i) + theta(i + 1)) / 2; }
-  /// d rho/d(index) and d theta/d(index): in the cells, and between the centres across the faces. At
-  /// the wall as the one-sided difference of second order takes it, at the outer boundary twice the
-  /// distance to the centre of the cell.
+  /// d rho/d(index) and d theta/d(index): in the cells, and between the centres across the faces.
+  /// At the wall as the one-sided difference of second order takes it, at the outer boundary twice
+  /// the distance to the centre of the cell.
   double rho_step(int j) const { return rho(j + 1) - rho(j); }
   double theta_step(int i) const { return theta(i + 1) - theta(i); }
   double rho_face_step(int j) const;
