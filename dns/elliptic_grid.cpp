@@ -14,10 +14,10 @@ constexpr int most_parts = 256;
 constexpr int most_passes_of_part = 200;
 constexpr double coarse_tolerance = 1e-4;
 
-// The derivatives of the position, and the residual.
+// The derivatives of the position, the left side of the equation, and what it is divided by.
 struct Corner {
   double y_rho, z_rho, y_theta, z_theta;
-  double y, z;
+  double y, z, size;
 };
 
 // d_rho^2 + d_theta^2 at the inner corners.
@@ -139,9 +139,9 @@ void EllipticGrid::for_each_corner(int plane, const Displacement<double>& displa
       const double a = at.y_theta * at.y_theta + at.z_theta * at.z_theta;
       const double b = at.y_rho * at.y_theta + at.z_rho * at.z_theta;
       const double c = at.y_rho * at.y_rho + at.z_rho * at.z_rho;
-      const double scale = 2 / (a + c);
-      at.y = scale * (a * y_rhorho - 2 * b * y_rhotheta + c * y_thetatheta);
-      at.z = scale * (a * z_rhorho - 2 * b * z_rhotheta + c * z_thetatheta);
+      at.size = 0.5 * (a + c);
+      at.y = a * y_rhorho - 2 * b * y_rhotheta + c * y_thetatheta;
+      at.z = a * z_rhorho - 2 * b * z_rhotheta + c * z_thetatheta;
       use(row + i, at);
     }
   }
@@ -150,8 +150,8 @@ void EllipticGrid::for_each_corner(int plane, const Displacement<double>& displa
 void EllipticGrid::residual(int plane, const Displacement<double>& displacement, double* y,
                             double* z) const {
   for_each_corner(plane, displacement, [=](std::ptrdiff_t k, const Corner& at) {
-    y[k] = at.y;
-    z[k] = at.z;
+    y[k] = at.y / at.size;
+    z[k] = at.z / at.size;
   });
 }
 
@@ -162,9 +162,10 @@ void EllipticGrid::find_change(int plane, const Displacement<double>& displaceme
   double *y_theta = r_theta_.data(), *z_theta = y_theta + corners;
   const double* weight = weight_.data();
   for_each_corner(plane, displacement, [=](std::ptrdiff_t k, const Corner& at) {
-    const double inverse_J = weight[k] / (at.y_rho * at.z_theta - at.z_rho * at.y_theta);
-    y[k] = (at.y_theta * at.z - at.z_theta * at.y) * inverse_J;
-    z[k] = (at.z_rho * at.y - at.y_rho * at.z) * inverse_J;
+    const double J = at.y_rho * at.z_theta - at.z_rho * at.y_theta;
+    const double scale = weight[k] / (at.size * J);
+    y[k] = scale * (at.y_theta * at.z - at.z_theta * at.y);
+    z[k] = scale * (at.z_rho * at.y - at.y_rho * at.z);
     y_rho[k] = at.y_rho;
     z_rho[k] = at.z_rho;
     y_theta[k] = at.y_theta;
@@ -217,12 +218,12 @@ EllipticGridSummary EllipticGrid::relax(int plane, Displacement<double>& displac
   summary.least_area = least_area(plane, displacement);
   while (summary.passes < most_passes) {
     find_change(plane, displacement);
-    if (!change_.allFinite()) {
+    const double largest = change_.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+    if (!std::isfinite(largest)) {
       summary.change = summary.least_area = std::numeric_limits<double>::quiet_NaN();
       break;
     }
     before_ = corners_;
-    const double largest = change_.cwiseAbs().maxCoeff();
     if (summary.passes > 0 && largest > 2 * summary.change) acceleration_.restart();
     if (summary.passes < passes_without_acceleration)
       corners_ += change_;
