@@ -1,6 +1,7 @@
 #include "dns/metrics.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace pennon::dns {
 namespace {
@@ -63,6 +64,15 @@ void write_faces(FaceMetrics<Scalar>& faces, int plane, int j, int count, double
   }
 }
 
+// Weights of the values at x0, x1, x2 in `step` times the derivative of their parabola at x.
+// Without regard to how the steps grow, the derivative would be wrong by half their growth in the
+// cells at the flag's edges, where all derivatives of the position vanish.
+std::array<double, 3> derivative(double x, double x0, double x1, double x2, double step) {
+  return {step * (2 * x - x1 - x2) / ((x0 - x1) * (x0 - x2)),
+          step * (2 * x - x0 - x2) / ((x1 - x0) * (x1 - x2)),
+          step * (2 * x - x0 - x1) / ((x2 - x0) * (x2 - x1))};
+}
+
 template <bool has_span, class Scalar>
 struct Writer {
   const OGrid& grid;
@@ -85,12 +95,10 @@ struct Writer {
     const double cosh = rho.cosh[at_j] / 2, sinh = rho.sinh[at_j] / 2, step = rho.face_step[at_j];
     const double *cos = theta.cos_centre.data(), *sin = theta.sin_centre.data();
     const double *theta_step = theta.step.data(), *half_sine = theta.sin_half_step.data();
-    // The derivative by s from three rows, one-sided at the boundaries.
     const int middle = std::clamp(j, 1, n - 1);
     const Row<Scalar> d0 = row(middle - 1), d1 = row(middle), d2 = row(middle + 1);
-    const double w0 = j == 0 ? -1.5 : j == n ? 0.5 : -0.5;
-    const double w1 = j == 0 ? 2 : j == n ? -2 : 0;
-    const double w2 = j == 0 ? -0.5 : j == n ? 1.5 : 0.5;
+    const auto [w0, w1, w2] =
+        derivative(grid.rho(j), grid.rho(middle - 1), grid.rho(middle), grid.rho(middle + 1), step);
     const Row<Scalar> d = row(j), d_xi = slope_row(j);
     write_faces<has_span>(metrics.rho_faces, plane, j, grid.n_theta(), 1, [=](int i) {
       const Pair<Scalar> Z{sinh * cos[i], cosh * sin[i]}, iZ{-cosh * sin[i], sinh * cos[i]};
