@@ -61,7 +61,8 @@ class EllipticGrid {
   /// at the inner corners of a plane: rows 1 .. n_rho - 1 of n_theta, one behind the other.
   void residual(int plane, const Displacement<double>& displacement, double* y, double* z) const;
 
-  /// move_wall() and relax(); where that folds, from the grid at rest in small parts.
+  /// move_wall() and relax(); where that folds, from the grid at rest in small parts. If these fold
+  /// too, `displacement` and the summary are those of the last part tried.
   EllipticGridSummary follow(int plane, const double* y, const double* z, Displacement<double>&,
                              double tolerance, int most_passes);
 
