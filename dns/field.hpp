@@ -1,5 +1,5 @@
-/// Numbers on one lattice of the O-grid (cell centres, faces across rho or theta, or corners) in all
-/// planes x = const of a rank, with two ghosts on each side. theta runs fastest.
+/// Numbers on one lattice of the O-grid (cell centres, faces across rho or theta, or corners) in
+/// all planes x = const of a rank, with two ghosts on each side. theta runs fastest.
 ///
 /// Cell (j, i) lies between the corners (j, i) and (j + 1, i + 1); face (j, i) across rho lies
 /// between the cells j - 1 and j, across theta between i - 1 and i.
@@ -31,8 +31,8 @@ class Field {
   Field() = default;
   explicit Field(const Extent& extent, Scalar value = Scalar(0))
       : extent_(extent),
-        row_(static_cast<std::size_t>(extent.n_theta) + 2 * ghosts),
-        plane_((static_cast<std::size_t>(extent.n_rho) + 2 * ghosts) * row_),
+        row_(static_cast<std::size_t>(extent.n_theta + 2 * ghosts)),
+        plane_(static_cast<std::size_t>(extent.n_rho + 2 * ghosts) * row_),
         values_(static_cast<std::size_t>(extent.planes) * plane_, value) {}
 
   const Extent& extent() const { return extent_; }
@@ -60,8 +60,8 @@ class Field {
 
  private:
   std::size_t offset(int plane, int j) const {
-    return static_cast<std::size_t>(plane) * plane_ +
-           static_cast<std::size_t>(j + ghosts) * row_ + ghosts;
+    return static_cast<std::size_t>(plane) * plane_ + static_cast<std::size_t>(j + ghosts) * row_ +
+           ghosts;
   }
 
   Extent extent_;

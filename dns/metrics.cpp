@@ -97,13 +97,13 @@ struct Writer {
     const double *theta_step = theta.step.data(), *half_sine = theta.sin_half_step.data();
     const int middle = std::clamp(j, 1, n - 1);
     const Row<Scalar> d0 = row(middle - 1), d1 = row(middle), d2 = row(middle + 1);
-    const auto [w0, w1, w2] =
+    const std::array<double, 3> w =
         derivative(grid.rho(j), grid.rho(middle - 1), grid.rho(middle), grid.rho(middle + 1), step);
     const Row<Scalar> d = row(j), d_xi = slope_row(j);
     write_faces<has_span>(metrics.rho_faces, plane, j, grid.n_theta(), 1, [=](int i) {
       const Pair<Scalar> Z{sinh * cos[i], cosh * sin[i]}, iZ{-cosh * sin[i], sinh * cos[i]};
-      const Pair<Scalar> d_s =
-          0.5 * (w0 * (d0[i] + d0[i + 1]) + w1 * (d1[i] + d1[i + 1]) + w2 * (d2[i] + d2[i + 1]));
+      const Pair<Scalar> d_s = 0.5 * (w[0] * (d0[i] + d0[i + 1]) + w[1] * (d1[i] + d1[i + 1]) +
+                                      w[2] * (d2[i] + d2[i + 1]));
       const Pair<Scalar> d_t = d[i + 1] - d[i];
       Site<Scalar> at{step * Z + d_s, theta_step[i] * iZ + d_t, 2 * half_sine[i] * iZ + d_t, {}};
       if constexpr (has_span) at.r_xi = 0.5 * (d_xi[i] + d_xi[i + 1]);

@@ -26,6 +26,8 @@ class ThetaBasis::Transform {
 class ThetaBasis::Fourier final : public ThetaBasis::Transform {
  public:
   explicit Fourier(int n) : n_(n) {}
+  Fourier(const Fourier&) = delete;
+  Fourier& operator=(const Fourier&) = delete;
   ~Fourier() override { forget_plans(); }
 
   void to_coefficients(double* values, double* coefficients, int rows) override {

@@ -27,6 +27,8 @@ class ThetaBasis {
   /// `is_circulant`: A is, and S is constant.
   ThetaBasis(const Eigen::VectorXd& S, const Eigen::MatrixXd& A, bool is_circulant);
   ~ThetaBasis();
+  ThetaBasis(const ThetaBasis&) = delete;
+  ThetaBasis& operator=(const ThetaBasis&) = delete;
   ThetaBasis(ThetaBasis&&) noexcept;
   ThetaBasis& operator=(ThetaBasis&&) noexcept;
 

@@ -122,11 +122,13 @@ TEST(EllipticGrid, ConvergesAtSecondOrder) {
     grids.push_back(refined(grid));
   }
   const auto difference = [&](std::size_t k) {
+    const Displacement<double>& fine = solutions[k + 1];
     double largest = 0, sum = 0;
     for (int j = 0; j <= grids[k].n_rho(); ++j)
       for (int i = 0; i < grids[k].n_theta(); ++i) {
-        const double y = solutions[k].y.row(0, j)[i] - solutions[k + 1].y.row(0, 2 * j)[2 * i];
-        const double z = solutions[k].z.row(0, j)[i] - solutions[k + 1].z.row(0, 2 * j)[2 * i];
+        const std::ptrdiff_t at = 2 * static_cast<std::ptrdiff_t>(i);
+        const double y = solutions[k].y.row(0, j)[i] - fine.y.row(0, 2 * j)[at];
+        const double z = solutions[k].z.row(0, j)[i] - fine.z.row(0, 2 * j)[at];
         largest = std::max(largest, std::hypot(y, z));
         sum += std::hypot(y, z);
       }

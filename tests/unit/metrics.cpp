@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 #include "tests/support/grids.hpp"
 
@@ -13,7 +12,6 @@ namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-using std::numbers::pi;
 using Complex = std::complex<double>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -113,11 +111,12 @@ TEST(Metrics, HaveTheVolumeOfTheStreamThatTheCellsFill) {
   const OGrid grid(uniform);
   const Metrics<double> rest = metrics_of(grid, Displacement<double>(extent_of(grid)));
   const Metrics<double> moved = metrics_of(grid, image_of(grid, [](Complex r) { return bent(r); }));
-  std::vector<double> y(31 * 61), z(31 * 61);
+  constexpr std::size_t columns = 61;
+  std::vector<double> y(31 * columns), z(31 * columns);
   const auto polygon = [&](const Displacement<double>& displacement, int j, int i) {
     corners_of(grid, 0, displacement, y.data(), z.data());
     const auto at = [&](int row, int column) {
-      const auto k = static_cast<std::size_t>(row * 61 + column);
+      const auto k = static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column);
       return Complex(y[k], z[k]);
     };
     const Complex a = at(j + 1, i + 1) - at(j, i), b = at(j, i + 1) - at(j + 1, i);

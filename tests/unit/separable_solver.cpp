@@ -169,9 +169,9 @@ TEST(ThetaBasis, HasTheKnownEigenvaluesOfTheSecondDifference) {
   std::sort(found.begin(), found.end());
   const double largest = 4 / (h * h);
   for (std::size_t m = 0; m < n; ++m) EXPECT_NEAR(found[m], expected[m], roundoff * largest) << m;
-  for (int m = 0; m <= n / 2; ++m)
-    EXPECT_NEAR(fourier.eigenvalues()[2 * m], -std::pow(2 / h * std::sin(m * h / 2), 2),
-                roundoff * largest)
+  for (Eigen::Index m = 0; m <= n / 2; ++m)
+    EXPECT_NEAR(fourier.eigenvalues()[2 * m],
+                -std::pow(2 / h * std::sin(static_cast<double>(m) * h / 2), 2), roundoff * largest)
         << m;
 }
 
