@@ -23,8 +23,12 @@ Session::Session() {
   check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
 }
 
-Session::~Session() { PetscFinalize(); }
+Session::~Session() {
+  PetscFinalize();
+}
 
-void start() { static const Session session; }
+void start() {
+  static const Session session;
+}
 
 }  // namespace pennon::petsc

@@ -10,7 +10,8 @@
 namespace pennon::petsc {
 
 /// Throws SolverError with PETSc's words and the place of the call unless `code` says success.
-void check(PetscErrorCode code, const std::source_location& place = std::source_location::current());
+void check(PetscErrorCode code,
+           const std::source_location& place = std::source_location::current());
 
 /// MPI and PETSc from construction to destruction; the first object of a program that needs them.
 /// Reads PETSc's options from the environment variable PETSC_OPTIONS.
@@ -52,8 +53,8 @@ using Vector = Handle<Vec, VecDestroy>;
 using Matrix = Handle<Mat, MatDestroy>;
 using KrylovMethod = Handle<KSP, KSPDestroy>;
 
-/// Runs a function inside a C callback: an exception becomes an error code here, and is thrown again
-/// by rethrow() once PETSc has returned.
+/// Runs a function inside a C callback: an exception becomes an error code here, and is thrown
+/// again by rethrow() once PETSc has returned.
 template <class Function>
 PetscErrorCode guarded(std::exception_ptr& caught, Function&& function) {
   try {

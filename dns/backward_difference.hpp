@@ -8,7 +8,7 @@
 namespace pennon::dns {
 
 struct BackwardDifference {
-  double next, last, before;            ///< of the derivative
+  double next, last, before;                ///< of the derivative
   double guess_last = 1, guess_before = 0;  ///< of the extrapolation
 
   /// `previous_dt` 0: there is no step before.

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/errors.hpp"
+#include "common/ranks.hpp"
 #include "dns/ghosts.hpp"
 
 namespace pennon::dns {
@@ -13,6 +15,8 @@ namespace {
 
 // The components of FluidState::u.
 constexpr int along_y = 0, along_z = 1, along_x = 2;
+// Which of x, y, z each of them is.
+constexpr std::array<std::size_t, 3> axis_of = {1, 2, 0};
 
 // The pressure's operator on the flat grid for one spanwise wavenumber, each cell's divided by
 // sR_j sTheta_i: see metrics.cpp for these, docs/theory/fluid.md for the derivation.
@@ -27,8 +31,8 @@ SeparableSolver flat_pressure(const OGrid& grid, double k) {
     along_rho.lower[j] = below / sR;
     along_rho.upper[j] = j + 1 < n_rho ? above / sR : 0;
     const double outer = j + 1 < n_rho ? 1 : 2;  // p = 0 on the face
-    along_rho.diagonal[j] = -(below + outer * above) / sR -
-                            k * k / 4 * std::pow(std::sinh(grid.rho_centre(j)), 2);
+    along_rho.diagonal[j] =
+        -(below + outer * above) / sR - k * k / 4 * std::pow(std::sinh(grid.rho_centre(j)), 2);
   }
   Eigen::VectorXd S(n_theta);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n_theta, n_theta);
@@ -37,8 +41,7 @@ SeparableSolver flat_pressure(const OGrid& grid, double k) {
     const double before = 1 / grid.theta_face_step(i), behind = 1 / grid.theta_face_step(i + 1);
     A(i, (i + n_theta - 1) % n_theta) += before;
     A(i, (i + 1) % n_theta) += behind;
-    A(i, i) -=
-        before + behind + S[i] * k * k / 4 * std::pow(std::sin(grid.theta_centre(i)), 2);
+    A(i, i) -= before + behind + S[i] * k * k / 4 * std::pow(std::sin(grid.theta_centre(i)), 2);
   }
   return {along_rho, ThetaBasis(S, A, k == 0 && grid.is_theta_uniform())};
 }
@@ -79,7 +82,7 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       parameters_(parameters),
       tolerances_(tolerances),
       upwinding_(upwinding),
-      extent_{span_.planes(), grid.n_rho(), grid.n_theta()},
+      extent_{span_.local_planes(), grid.n_rho(), grid.n_theta()},
       components_(span_.has_span() || parameters.U != 0 ? 3 : 2),
       elliptic_(grid),
       metrics_(extent_, span_.has_span()),
@@ -104,8 +107,10 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       line_lower_(extent_),
       line_pivot_(extent_),
       line_upper_(extent_) {
-  for (int m = 0; 2 * m <= span_.planes(); ++m)
-    flat_.push_back(flat_pressure(grid, span_.wavenumber(m)));
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    if (const int waves = span_.waves(plane); !span_.is_dropped(plane) && !flat_.contains(waves))
+      flat_.emplace(waves,
+                    flat_pressure(grid, Span::wavenumber(waves, span_.planes(), span_.length())));
   if (span_.has_span()) {
     f_xi_ = Field<double>(extent_);
     x_flux_ = Field<double>(extent_);
@@ -158,7 +163,8 @@ void Fluid::extend_pressure(Field<double>& p) const {
   }
 }
 
-// --- Operators ------------------------------------------------------------------------------------
+// --- Operators
+// ------------------------------------------------------------------------------------
 
 void Fluid::balance_of_gradient(const Field<double>& f, bool with_wall_flux,
                                 Field<double>& balance) {
@@ -171,7 +177,8 @@ void Fluid::balance_of_gradient(const Field<double>& f, bool with_wall_flux,
     gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance);
   if (!span_.has_span()) return;
   for_each_row(extent_, [&](int plane, int j) {
-    const double *below = f.row(plane, j - 1), *here = f.row(plane, j), *above = f.row(plane, j + 1);
+    const double *below = f.row(plane, j - 1), *here = f.row(plane, j),
+                 *above = f.row(plane, j + 1);
     const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
     const double *xi = f_xi_.row(plane, j), *volume = metrics_.volume.row(plane, j);
     double* flux = x_flux_.row(plane, j);
@@ -207,7 +214,7 @@ void Fluid::invert_flat_pressure(const double* in, double* out) {
     double* value = values;
     for (int j = 0; j < extent_.n_rho; ++j)
       for (int i = 0; i < extent_.n_theta; ++i) *value++ *= inverse_flat_area_(j, i);
-    flat_[static_cast<std::size_t>(std::min(plane, extent_.planes - plane))].solve(values);
+    flat_.at(span_.waves(plane)).solve(values);
   }
   span_.to_values(out, plane_cells, plane_cells);
 }
@@ -219,34 +226,34 @@ void Fluid::velocity_operator(const double* in, double* out) {
   unpack(in, f_);
   const auto extend = [&](bool is_viscous) {
     for (int plane = 0; plane < extent_.planes; ++plane) {
-      extend_to_wall(plane, no_velocity_.data(), f_);
       extend_outward(plane, is_inflow_,
                      static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta), 0.0,
                      is_viscous, f_);
-      f_.wrap_theta(plane, -2, n_rho + 2);
+      f_.wrap_theta(plane, n_rho, n_rho + 2);
     }
   };
-  extend(false);
-  convect(f_, work_);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    extend_to_wall(plane, no_velocity_.data(), f_);
+    f_.wrap_theta(plane, -2, n_rho);
+  }
   extend(true);
   balance_of_gradient(f_, true, balance_);
+  extend(false);
+  convect(f_, work_);
   for_each_row(extent_, [&](int plane, int j) {
     const double *balance = balance_.row(plane, j), *volume = metrics_.volume.row(plane, j);
-    const double* convection = work_.row(plane, j);
+    const double* carried = work_.row(plane, j);
     for (int i = 0; i < n_theta; ++i, ++in, ++out)
-      *out = volume[i] * (next_weight_ * *in + convection[i]) - balance[i] / parameters_.Re;
+      *out = volume[i] * (next_weight_ * *in + carried[i]) - balance[i] / parameters_.Re;
   });
 }
 
-// (C . grad) f, from f with its ghosts.
+// (C . grad) f, from f with its ghosts; f_xi_ holds its derivative along the span, which
+// balance_of_gradient() leaves there.
 void Fluid::convect(const Field<double>& f, Field<double>& result) {
   for (int plane = 0; plane < extent_.planes; ++plane)
-    for (int j = 0; j < extent_.n_rho; ++j)
-      std::fill_n(result.row(plane, j), extent_.n_theta, 0.0);
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    add_convection(plane, C_s_, C_t_, f, upwinding_, result);
+    convection(plane, C_s_, C_t_, f, upwinding_, result);
   if (!span_.has_span()) return;
-  span_.differentiate(f, f_xi_);
   for_each_row(extent_, [&](int plane, int j) {
     const double *u = C_x_.row(plane, j), *f_xi = f_xi_.row(plane, j);
     double* sum = result.row(plane, j);
@@ -254,8 +261,8 @@ void Fluid::convect(const Field<double>& f, Field<double>& result) {
   });
 }
 
-// velocity_operator() on the lines theta = const, with first-order upwind convection and without its
-// neighbours: eliminated from the flag outward.
+// velocity_operator() on the lines theta = const, with first-order upwind convection and without
+// its neighbours: eliminated from the flag outward.
 void Fluid::prepare_lines() {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const double nu = 1 / parameters_.Re;
@@ -269,7 +276,8 @@ void Fluid::prepare_lines() {
            *upper = line_upper_.row(plane, j);
     const double* upper_below = line_upper_.row(plane, j - 1);
     for (int i = 0; i < n_theta; ++i) {
-      const bool is_open = j + 1 == n_rho && !is_inflow_[static_cast<std::size_t>(plane * n_theta + i)];
+      const bool is_open =
+          j + 1 == n_rho && !is_inflow_[static_cast<std::size_t>(plane * n_theta + i)];
       const double outer = is_open ? 0.0 : above[i];
       double diagonal = volume[i] * (next_weight_ + std::abs(s[i]) + std::abs(t[i])) +
                         nu * (below[i] + outer + theta[i] + theta[i + 1]);
@@ -309,10 +317,10 @@ void Fluid::invert_lines(const double* in, double* out) const {
       for (int i = 0; i < n_theta; ++i) u[i] -= upper[i] * next[i];
     }
   }
-  if (span_.has_span()) span_.dealias(out, extent_.cells_of_plane(), extent_.cells_of_plane());
 }
 
-// --- The step -------------------------------------------------------------------------------------
+// --- The step
+// -------------------------------------------------------------------------------------
 
 void Fluid::update_all_metrics(const Displacement<double>& displacement) {
   if (span_.has_span()) {
@@ -323,7 +331,9 @@ void Fluid::update_all_metrics(const Displacement<double>& displacement) {
     update_metrics(grid_, plane, displacement, span_.has_span() ? &slope_ : nullptr, metrics_);
 }
 
-void Fluid::adopt_grid(const FluidState& state) { update_all_metrics(state.grid.front()); }
+void Fluid::adopt_grid(const FluidState& state) {
+  update_all_metrics(state.grid.front());
+}
 
 void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardDifference& D,
                       double t, FluidStepSummary& summary) {
@@ -333,6 +343,7 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
   Displacement<double>&next = state.grid[0], &last = state.grid[1], &before = state.grid[2];
   combine(D.guess_last, last.y, D.guess_before, before.y, next.y);
   combine(D.guess_last, last.z, D.guess_before, before.z, next.z);
+  double folded = std::numeric_limits<double>::quiet_NaN();  // x of a plane where it does
   for (int plane = 0; plane < extent_.planes; ++plane) {
     const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
     const EllipticGridSummary found =
@@ -340,11 +351,12 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
                          tolerances_.grid, tolerances_.most_grid_passes);
     summary.grid_passes = std::max(summary.grid_passes, found.passes);
     summary.least_area = std::min(summary.least_area, found.least_area);
-    if (!(found.least_area > 0))
-      fail(t, fmt::format("the grid folds in the plane x = {:.4g}: a cell has {:.3g} of its area at "
-                          "rest; the flag bends too sharply for n_theta = {}",
-                          span_.x(plane), found.least_area, n_theta));
+    if (!(found.least_area > 0)) folded = span_.x(plane);
   }
+  if (ranks::any(!std::isnan(folded)))
+    fail(t, fmt::format("the grid folds in the plane x = {:.4g}: the flag bends too sharply for "
+                        "dns.n_theta = {}, or moves too far in a step of dns.dt",
+                        ranks::largest(std::isnan(folded) ? -1 : folded), n_theta));
   update_all_metrics(next);
   const auto velocity_of = [&](const Field<double>& d0, const Field<double>& d1,
                                const Field<double>& d2, Field<double>& at_cells,
@@ -368,10 +380,41 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
   };
   velocity_of(next.y, last.y, before.y, grid_velocity_y_, wall_velocity_[along_y]);
   velocity_of(next.z, last.z, before.z, grid_velocity_z_, wall_velocity_[along_z]);
+  if (!manufactured_.wall_velocity) return;
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    for (int i = 0; i < n_theta; ++i) {
+      const std::complex<double> rest = OGrid::place(0, grid_.theta_centre(i));
+      const double *y = next.y.row(plane, 0) + i, *z = next.z.row(plane, 0) + i;
+      const std::array<double, 3> velocity = manufactured_.wall_velocity(
+          t, span_.x(plane), rest.real() + 0.5 * (y[0] + y[1]), rest.imag() + 0.5 * (z[0] + z[1]));
+      for (std::size_t c = 0; c < wall_velocity_.size(); ++c)
+        wall_velocity_[c][static_cast<std::size_t>(plane * n_theta + i)] = velocity[axis_of[c]];
+    }
+}
+
+std::array<double, 2> Fluid::centre(const FluidState& state, int plane, int j, int i) const {
+  const std::complex<double> rest = OGrid::place(grid_.rho_centre(j), grid_.theta_centre(i));
+  const auto mean = [&](const Field<double>& d) {
+    const double *below = d.row(plane, j) + i, *above = d.row(plane, j + 1) + i;
+    return 0.25 * (below[0] + below[1] + above[0] + above[1]);
+  };
+  return {rest.real() + mean(state.grid[0].y), rest.imag() + mean(state.grid[0].z)};
+}
+
+void Fluid::add_force(const FluidState& state, std::size_t component, double t) {
+  std::size_t cell = 0;
+  for_each_row(extent_, [&](int plane, int j) {
+    for (int i = 0; i < extent_.n_theta; ++i) {
+      const auto [y, z] = centre(state, plane, j, i);
+      right_[cell++] += metrics_.volume.row(plane, j)[i] *
+                        manufactured_.force(t, span_.x(plane), y, z)[axis_of[component]];
+    }
+  });
 }
 
 // The velocity without the new pressure: convection extrapolated, viscosity implicit.
-void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSummary& summary) {
+void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
+                    FluidStepSummary& summary) {
   const int n_theta = extent_.n_theta;
   const bool has_span = span_.has_span();
   is_inflow_ = state.is_inflow;
@@ -386,21 +429,21 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSum
     const double *v_g = grid_velocity_y_.row(plane, j), *w_g = grid_velocity_z_.row(plane, j);
     const double *s_y = metrics_.s_y.row(plane, j), *s_z = metrics_.s_z.row(plane, j);
     const double *t_y = metrics_.t_y.row(plane, j), *t_z = metrics_.t_z.row(plane, j);
-    double *s = C_s_.row(plane, j), *t = C_t_.row(plane, j);
+    double *C_s = C_s_.row(plane, j), *C_t = C_t_.row(plane, j);
     for (int i = 0; i < n_theta; ++i) {
-      s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
-      t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
+      C_s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
+      C_t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
     }
     if (has_span) {
       const double* u = guess_[along_x].row(plane, j);
       const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
       for (int i = 0; i < n_theta; ++i) {
-        s[i] += u[i] * s_x[i];
-        t[i] += u[i] * t_x[i];
+        C_s[i] += u[i] * s_x[i];
+        C_t[i] += u[i] * t_x[i];
       }
     }
     for (int i = 0; i < n_theta; ++i)
-      summary.CFL = std::max(summary.CFL, (std::abs(s[i]) + std::abs(t[i])) * dt);
+      summary.CFL = std::max(summary.CFL, (std::abs(C_s[i]) + std::abs(C_t[i])) * dt);
   });
   if (has_span) C_x_ = guess_[along_x];
   prepare_lines();
@@ -408,29 +451,29 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, FluidStepSum
   if (has_span) span_.differentiate(state.p, f_xi_);
   for (int plane = 0; plane < extent_.planes; ++plane)
     gradient(metrics_, plane, state.p, has_span ? &f_xi_ : nullptr,
-             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y],
-              &gradient_[along_z]});
+             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   for (std::size_t c = 0; c < guess_.size(); ++c) {
+    extend_velocity(state, static_cast<int>(c), guess_[c], true);
+    balance_of_gradient(guess_[c], true, balance_);
+    extend_velocity(state, static_cast<int>(c), guess_[c], false);
     convect(guess_[c], work_);
+    if (has_span) {  // in the operator, on the change from the guess, aliases are of no account
+      const std::size_t points = work_.values().size() / static_cast<std::size_t>(extent_.planes);
+      span_.dealias(work_.values().data(), points, points);
+    }
     const bool has_gradient = c < gradient_.size();
     std::size_t cell = 0;
     for_each_row(extent_, [&](int plane, int j) {
       const double *u = state.u[c].row(plane, j), *u_last = state.u_last[c].row(plane, j);
-      const double *convection = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+      const double *carried = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+      const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
       const double* p_c = has_gradient ? gradient_[c].row(plane, j) : nullptr;
       for (int i = 0; i < n_theta; ++i)
-        right_[cell++] = -volume[i] * (D.last * u[i] + D.before * u_last[i] + convection[i] +
-                                       (has_gradient ? p_c[i] : 0.0));
+        right_[cell++] = balance[i] / parameters_.Re -
+                         volume[i] * (D.next * f[i] + D.last * u[i] + D.before * u_last[i] +
+                                      carried[i] + (has_gradient ? p_c[i] : 0.0));
     });
-    extend_velocity(state, static_cast<int>(c), guess_[c], true);
-    balance_of_gradient(guess_[c], true, balance_);
-    cell = 0;
-    for_each_row(extent_, [&](int plane, int j) {
-      const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
-      const double* volume = metrics_.volume.row(plane, j);
-      for (int i = 0; i < n_theta; ++i)
-        right_[cell++] -= D.next * volume[i] * f[i] - balance[i] / parameters_.Re;
-    });
+    if (manufactured_.force) add_force(state, c, t);
     std::ranges::fill(solution_, 0.0);
     const KrylovSummary solved =
         velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);
@@ -520,8 +563,7 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
         for (int i = 0; i <= n_theta; ++i) theta[i] -= dt * p_theta[i];
     }
     gradient(metrics_, plane, state.p, p_xi,
-             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y],
-              &gradient_[along_z]});
+             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
     const double* outer = flux_rho_.row(plane, n_rho);
     for (int i = 0; i < n_theta; ++i)
       state.is_inflow[static_cast<std::size_t>(plane * n_theta + i)] = outer[i] < 0;
@@ -540,16 +582,17 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   state.t = t;
   state.grid.assign(3, Displacement<double>(extent_));
   wall(t, wall_);
+  bool fits = true;
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    const std::size_t first = static_cast<std::size_t>(plane) *
-                              static_cast<std::size_t>(extent_.n_theta);
+    const std::size_t first =
+        static_cast<std::size_t>(plane) * static_cast<std::size_t>(extent_.n_theta);
     constexpr int most_passes = 300;
     const EllipticGridSummary found =
         elliptic_.follow(plane, wall_.y.data() + first, wall_.z.data() + first, state.grid[0],
                          tolerances_.grid, most_passes);
-    if (!(found.least_area > 0))
-      fail(t, fmt::format("no grid fits the flag in the plane x = {:.4g}", span_.x(plane)));
+    fits = fits && found.least_area > 0;
   }
+  if (ranks::any(!fits)) fail(t, "no grid fits the flag: it bends too sharply for dns.n_theta");
   state.grid[1] = state.grid[0];
   state.grid[2] = state.grid[0];
   update_all_metrics(state.grid[0]);
@@ -573,8 +616,11 @@ FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, doubl
   const BackwardDifference D(dt, state.previous_dt);
   FluidStepSummary summary;
   move_grid(state, wall, D, state.t + dt, summary);
-  predict(state, D, summary);
+  predict(state, D, state.t + dt, summary);
   project(state, D, summary, false);
+  summary.CFL = ranks::largest(summary.CFL);
+  summary.least_area = ranks::least(summary.least_area);
+  summary.grid_passes = static_cast<int>(ranks::largest(summary.grid_passes));
   state.t += dt;
   state.previous_dt = dt;
   return summary;

@@ -10,8 +10,9 @@
 /// Scales: L, V, rho_f. Order 2 in space and time.
 #pragma once
 
+#include <array>
 #include <functional>
-#include <optional>
+#include <map>
 #include <vector>
 
 #include "dns/backward_difference.hpp"
@@ -31,9 +32,9 @@ struct FluidParameters {
 };
 
 struct FluidTolerances {
-  double pressure = 1e-6;   ///< root mean square error of the pressure left by a step, rho_f V^2
-  double velocity = 1e-8;   ///< the same of the velocity, V
-  double grid = 1e-5;       ///< last change of a corner, L
+  double pressure = 1e-6;  ///< root mean square error of the pressure left by a step, rho_f V^2
+  double velocity = 1e-8;  ///< the same of the velocity, V
+  double grid = 1e-5;      ///< last change of a corner, L
   int most_grid_passes = 20;
 };
 
@@ -43,6 +44,13 @@ struct WallShape {
   std::vector<double> y, z;
 };
 using WallMotion = std::function<void(double t, WallShape&)>;
+
+/// A body force and wall velocities given by place and time, along x, y, z, for manufactured
+/// solutions; what is empty is not there. Without wall_velocity the wall moves as its shape does.
+struct Manufactured {
+  using Function = std::function<std::array<double, 3>(double t, double x, double y, double z)>;
+  Function force, wall_velocity;
+};
 
 /// What is advanced, saved and restarted.
 struct FluidState {
@@ -68,7 +76,7 @@ class Fluid {
  public:
   /// `span`: one plane for two dimensions, which carries a third velocity only if U is not zero.
   Fluid(const OGrid&, Span, const FluidParameters&, const FluidTolerances&,
-        const Upwinding& = kawamura_kuwahara);
+        const Upwinding& = upwinding::kawamura_kuwahara);
 
   const OGrid& grid() const { return grid_; }
   const Span& span() const { return span_; }
@@ -84,6 +92,11 @@ class Fluid {
   /// Advances by dt. Throws SolverError with the time, and the place where it has one, if the grid
   /// folds, a solver does not converge or the velocity is not finite.
   FluidStepSummary advance(FluidState&, const WallMotion& wall, double dt);
+
+  void manufacture(Manufactured terms) { manufactured_ = std::move(terms); }
+
+  /// The centre of a cell, (y, z).
+  std::array<double, 2> centre(const FluidState&, int plane, int j, int i) const;
 
   /// The grid velocity and the wall's, of the last step.
   const Field<double>& grid_velocity_y() const { return grid_velocity_y_; }
@@ -102,11 +115,11 @@ class Fluid {
   void adopt_grid(const FluidState&);
 
  private:
-  struct GridStep;
   double stream(int component) const;
   void move_grid(FluidState&, const WallMotion&, const BackwardDifference&, double t,
                  FluidStepSummary&);
-  void predict(FluidState&, const BackwardDifference&, FluidStepSummary&);
+  void predict(FluidState&, const BackwardDifference&, double t, FluidStepSummary&);
+  void add_force(const FluidState&, std::size_t component, double t);
   void project(FluidState&, const BackwardDifference&, FluidStepSummary&, bool is_start);
   void balance_of_gradient(const Field<double>& f, bool with_wall_flux, Field<double>& balance);
   void pressure_operator(const double* in, double* out);
@@ -127,9 +140,10 @@ class Fluid {
   int components_;
   EllipticGrid elliptic_;
   Metrics<double> metrics_;
-  std::vector<SeparableSolver> flat_;  // of each wavenumber 0 .. M/2
+  std::map<int, SeparableSolver> flat_;  // by the number of waves along the span
   Krylov pressure_, velocity_;
 
+  Manufactured manufactured_;
   double next_weight_ = 0;  // of the backward difference, for the implicit viscosity
   std::vector<bool> is_inflow_;
   WallShape wall_;

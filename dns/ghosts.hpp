@@ -35,9 +35,9 @@ Scalar wall_value(const Scalar& f0, const Scalar& f1, const Scalar& f2) {
   return (15.0 * f0 - 10.0 * f1 + 3.0 * f2) / 8.0;
 }
 
-/// Behind the outer boundary. Where the stream enters, its value; where it leaves, for convection the
-/// parabola through the last three cells, with which it becomes one-sided, and for viscous fluxes no
-/// gradient. `is_inflow` of the face i of this plane stands at first + i. Both ghosts.
+/// Behind the outer boundary. Where the stream enters, its value; where it leaves, for convection
+/// the parabola through the last three cells, with which it becomes one-sided, and for viscous
+/// fluxes no gradient. `is_inflow` of the face i of this plane stands at first + i. Both ghosts.
 template <class Scalar>
 void extend_outward(int plane, const std::vector<bool>& is_inflow, std::size_t first,
                     const Scalar& stream, bool is_viscous, Field<Scalar>& f) {

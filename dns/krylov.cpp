@@ -47,8 +47,7 @@ Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Opera
   self.inverse_M = std::move(inverse_M);
   const MPI_Comm comm = PETSC_COMM_WORLD;
   const auto n = static_cast<PetscInt>(unknowns);
-  check(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, &self,
-                       self.matrix.address()));
+  check(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, &self, self.matrix.address()));
   check(MatShellSetOperation(self.matrix, MATOP_MULT,
                              reinterpret_cast<void (*)()>(&Implementation::multiply)));
   check(VecCreateMPIWithArray(comm, 1, n, PETSC_DETERMINE, nullptr, self.b.address()));
@@ -80,8 +79,8 @@ KrylovSummary Krylov::solve(const double* b, double* x, double tolerance) {
   Implementation& self = *implementation_;
   // Relative to the first residual there is nothing to gain below rounding.
   constexpr double least_relative = 1e-13;
-  check(KSPSetTolerances(self.method, least_relative, tolerance * self.root_unknowns,
-                         PETSC_DEFAULT, PETSC_DEFAULT));
+  check(KSPSetTolerances(self.method, least_relative, tolerance * self.root_unknowns, PETSC_DEFAULT,
+                         PETSC_DEFAULT));
   check(VecPlaceArray(self.b, b));
   check(VecPlaceArray(self.x, x));
   self.caught = nullptr;

@@ -1,7 +1,11 @@
-pennon_test(test_flag LABEL unit SOURCES unit/flag_forces.cpp LINK pennon::dns)
+pennon_test(test_flag LABEL unit
+            SOURCES unit/flag_forces.cpp unit/flag_frequency.cpp unit/flag_tangent_matrix.cpp LINK pennon::dns)
 # In a program of its own: it takes the place of malloc.
 pennon_test(test_flag_allocations LABEL unit SOURCES unit/flag_allocations.cpp LINK pennon::dns)
 pennon_test(test_flag_validation LABEL verification
             SOURCES verification/flag_plates.cpp verification/flag_lines.cpp
                     verification/flag_extremes.cpp verification/flag_in_vacuo.cpp
             LINK pennon::dns pennon::modes)
+pennon_test(test_fluid_verification LABEL verification
+            SOURCES verification/fluid_manufactured.cpp LINK pennon::dns)
+pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp LINK pennon::dns)

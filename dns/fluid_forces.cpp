@@ -1,0 +1,151 @@
+#include "dns/fluid_forces.hpp"
+
+#include <cmath>
+
+#include "common/ranks.hpp"
+#include "dns/ghosts.hpp"
+
+namespace pennon::dns {
+namespace {
+
+// Where FluidState::u keeps the velocity along x, y, z.
+constexpr std::array<std::size_t, 3> place_of = {2, 0, 1};
+
+bool has(const Fluid& fluid, std::size_t axis) {
+  return static_cast<int>(place_of[axis]) < fluid.components();
+}
+
+// A component with its ghosts, and its derivative by x where there is a span.
+struct Extended {
+  Field<double> f, f_xi;
+
+  Extended(const Fluid& fluid, const FluidState& state, std::size_t axis)
+      : f(state.u[place_of[axis]]) {
+    fluid.extend_velocity(state, static_cast<int>(place_of[axis]), f, true);
+    if (!fluid.span().has_span()) return;
+    f_xi = Field<double>(f.extent());
+    fluid.span().differentiate(f, f_xi);
+  }
+  const Field<double>* slope() const { return f_xi.empty() ? nullptr : &f_xi; }
+};
+
+}  // namespace
+
+WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
+  const Extent& extent = fluid.extent();
+  const FaceMetrics<double>& faces = fluid.metrics().rho_faces;
+  const double nu = 1 / fluid.parameters().Re;
+  const auto n_theta = static_cast<std::size_t>(extent.n_theta);
+  const std::size_t count = static_cast<std::size_t>(extent.planes) * n_theta;
+  WallTraction traction;
+  traction.pressure.resize(count);
+  traction.friction.assign(count, 0);
+  for (std::vector<double>& force : traction.force) force.assign(count, 0);
+  for (int plane = 0; plane < extent.planes; ++plane) {
+    const double *p0 = state.p.row(plane, 0), *p1 = state.p.row(plane, 1),
+                 *p2 = state.p.row(plane, 2);
+    const std::size_t first = static_cast<std::size_t>(plane) * n_theta;
+    for (std::size_t i = 0; i < n_theta; ++i)
+      traction.pressure[first + i] = wall_value(p0[i], p1[i], p2[i]);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto area = [&](int plane, std::size_t i) {
+      if (axis == 0) return faces.area_x.empty() ? 0.0 : faces.area_x.row(plane, 0)[i];
+      return (axis == 1 ? faces.area_y : faces.area_z).row(plane, 0)[i];
+    };
+    for (int plane = 0; plane < extent.planes; ++plane)
+      for (std::size_t i = 0; i < n_theta; ++i) {
+        const std::size_t face = static_cast<std::size_t>(plane) * n_theta + i;
+        traction.force[axis][face] -= traction.pressure[face] * area(plane, i);
+      }
+    if (!has(fluid, axis)) continue;
+    const Extended u(fluid, state, axis);
+    for (int plane = 0; plane < extent.planes; ++plane) {
+      const double *inside = u.f.row(plane, 0), *ghost = u.f.row(plane, -1);
+      for (int i = 0; i < extent.n_theta; ++i) {
+        double flux = faces.along.row(plane, 0)[i] * (inside[i] - ghost[i]) +
+                      faces.across.row(plane, 0)[i] * 0.25 *
+                          (inside[i + 1] - inside[i - 1] + ghost[i + 1] - ghost[i - 1]);
+        if (u.slope())
+          flux += faces.area_x.row(plane, 0)[i] * 0.5 *
+                  (u.f_xi.row(plane, 0)[i] + u.f_xi.row(plane, -1)[i]);
+        const auto face = static_cast<std::size_t>(plane * extent.n_theta + i);
+        traction.force[axis][face] += nu * flux;
+        const double A_y = faces.area_y.row(plane, 0)[i], A_z = faces.area_z.row(plane, 0)[i];
+        // The tangent of growing theta is (-A_z, A_y)/|A|.
+        if (axis == 1) traction.friction[face] -= nu * flux * A_z / (A_y * A_y + A_z * A_z);
+        if (axis == 2) traction.friction[face] += nu * flux * A_y / (A_y * A_y + A_z * A_z);
+      }
+    }
+  }
+  return traction;
+}
+
+Vector3 station_force(const Fluid& fluid, const WallTraction& traction, int plane) {
+  const auto n_theta = static_cast<std::size_t>(fluid.extent().n_theta);
+  Vector3 sum{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t i = 0; i < n_theta; ++i)
+      sum[axis] += traction.force[axis][static_cast<std::size_t>(plane) * n_theta + i];
+  return sum;
+}
+
+Vector3 total_force(const Fluid& fluid, const WallTraction& traction) {
+  Vector3 mean{};
+  for (int plane = 0; plane < fluid.extent().planes; ++plane) {
+    const Vector3 force = station_force(fluid, traction, plane);
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += force[axis] / fluid.span().planes();
+  }
+  ranks::sum(mean);
+  return mean;
+}
+
+FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
+                         const WallTraction& traction) {
+  const Extent& extent = fluid.extent();
+  const Metrics<double>& metrics = fluid.metrics();
+  const bool has_span = fluid.span().has_span();
+  const double share = 1.0 / fluid.span().planes(), nu = 1 / fluid.parameters().Re;
+  const Vector3 stream = {fluid.parameters().U, 1, 0};
+  FluidBudget budget;
+  Field<double> u_x(has_span ? extent : Extent{0, 0, 0}), u_y(extent), u_z(extent);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!has(fluid, axis)) continue;
+    const Extended u(fluid, state, axis);
+    for (int plane = 0; plane < extent.planes; ++plane) {
+      gradient(metrics, plane, u.f, u.slope(), {has_span ? &u_x : nullptr, &u_y, &u_z});
+      for (int j = 0; j < extent.n_rho; ++j)
+        for (int i = 0; i < extent.n_theta; ++i) {
+          const double volume = share * metrics.volume.row(plane, j)[i];
+          const double disturbance = u.f.row(plane, j)[i] - stream[axis];
+          budget.kinetic_energy += volume * disturbance * disturbance / 2;
+          budget.momentum[axis] += volume * disturbance;
+          const double x = has_span ? u_x.row(plane, j)[i] : 0.0, y = u_y.row(plane, j)[i],
+                       z = u_z.row(plane, j)[i];
+          budget.dissipation += nu * volume * (x * x + y * y + z * z);
+        }
+      const int n = extent.n_rho;
+      for (int i = 0; i < extent.n_theta; ++i) {
+        const auto face = static_cast<std::size_t>(plane * extent.n_theta + i);
+        // What leaves is what the last cells hold; what enters is the stream, without disturbance.
+        const double flux = share * fluid.flux_across_rho().row(plane, n)[i];
+        if (flux > 0) {
+          const double leaving =
+              1.5 * u.f.row(plane, n - 1)[i] - 0.5 * u.f.row(plane, n - 2)[i] - stream[axis];
+          budget.outer_power -= flux * leaving * leaving / 2;
+          budget.outer_force[axis] -= flux * leaving;
+        }
+        budget.wall_power -= share * traction.force[axis][face] *
+                             (fluid.wall_velocity()[place_of[axis]][face] - stream[axis]);
+      }
+    }
+  }
+  for (double* value :
+       {&budget.kinetic_energy, &budget.dissipation, &budget.wall_power, &budget.outer_power})
+    *value = ranks::sum(*value);
+  ranks::sum(budget.momentum);
+  ranks::sum(budget.outer_force);
+  return budget;
+}
+
+}  // namespace pennon::dns
