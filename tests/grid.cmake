@@ -4,3 +4,5 @@ pennon_test(test_grid LABEL unit
             LINK pennon::dns)
 pennon_test(test_grid_shapes LABEL verification SOURCES verification/grid_shapes.cpp
             LINK pennon::dns)
+# In a program of its own: it takes the place of malloc.
+pennon_test(test_grid_allocations LABEL unit SOURCES unit/grid_allocations.cpp LINK pennon::dns)
