@@ -6,4 +6,6 @@ pennon_test(test_flag_validation LABEL verification
                     verification/flag_extremes.cpp verification/flag_in_vacuo.cpp
             LINK pennon::dns pennon::modes)
 pennon_test(test_fluid_verification LABEL verification
-            SOURCES verification/fluid_manufactured.cpp LINK pennon::dns)
+            SOURCES verification/fluid_manufactured.cpp verification/fluid_budgets.cpp
+                    verification/fluid_identities.cpp
+            LINK pennon::dns pennon::lsa)
