@@ -7,5 +7,6 @@ pennon_test(test_flag_validation LABEL verification
             LINK pennon::dns pennon::modes)
 pennon_test(test_fluid_verification LABEL verification
             SOURCES verification/fluid_manufactured.cpp verification/fluid_budgets.cpp
-                    verification/fluid_identities.cpp
+                    verification/fluid_identities.cpp verification/fluid_potential.cpp
+                    verification/fluid_plate.cpp
             LINK pennon::dns pennon::lsa)

@@ -35,6 +35,7 @@ class FluidRun {
         motion_(std::move(motion)),
         wall_([this](double t, dns::WallShape& shape) { place_wall(t, shape); }),
         state_(fluid_.impulsive_start(wall_, 0)) {}
+  ~FluidRun() = default;
   FluidRun(const FluidRun&) = delete;
   FluidRun& operator=(const FluidRun&) = delete;
 
@@ -76,11 +77,10 @@ class FluidRun {
 
  private:
   void place_wall(double t, dns::WallShape& shape) const {
-    const int n_theta = grid_.n_theta();
+    std::size_t corner = 0;
     for (int plane = 0; plane < fluid_.span().planes(); ++plane)
-      for (int i = 0; i < n_theta; ++i) {
+      for (int i = 0; i < grid_.n_theta(); ++i, ++corner) {
         const double y = (1 + std::cos(grid_.theta(i))) / 2;
-        const auto corner = static_cast<std::size_t>(plane * n_theta + i);
         const auto [d_y, d_z] = motion_(t, fluid_.span().x(plane), y);
         shape.y[corner] = d_y;
         shape.z[corner] = d_z;
