@@ -8,5 +8,6 @@ pennon_test(test_flag_validation LABEL verification
 pennon_test(test_fluid_verification LABEL verification
             SOURCES verification/fluid_manufactured.cpp verification/fluid_budgets.cpp
                     verification/fluid_identities.cpp verification/fluid_potential.cpp
-                    verification/fluid_plate.cpp
+                    verification/fluid_plate.cpp verification/fluid_outflow.cpp
+                    verification/fluid_extremes.cpp
             LINK pennon::dns pennon::lsa)
