@@ -11,3 +11,7 @@ pennon_test(test_fluid_verification LABEL verification
                     verification/fluid_plate.cpp verification/fluid_outflow.cpp
                     verification/fluid_extremes.cpp
             LINK pennon::dns pennon::lsa)
+pennon_test(test_fluid_validation LABEL validation
+            SOURCES validation/fluid_plate_drag.cpp validation/fluid_theodorsen.cpp
+                    validation/fluid_large_grid.cpp
+            LINK pennon::dns)
