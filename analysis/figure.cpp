@@ -13,6 +13,7 @@
 #include "analysis/frame.hpp"
 #include "analysis/gnuplot.hpp"
 #include "analysis/key_place.hpp"
+#include "analysis/picture_style.hpp"
 #include "analysis/raster.hpp"
 
 namespace pennon::analysis {
@@ -21,20 +22,6 @@ namespace {
 // Okabe & Ito (2008), ordered so that the first few differ most, on paper and in grey.
 constexpr std::array<const char*, 8> palette = {"#000000", "#0072B2", "#D55E00", "#009E73",
                                                 "#CC79A7", "#E69F00", "#56B4E9", "#F0E442"};
-
-// Equidistant samples of viridis (van der Walt & Smith 2015), and a blue-white-red in the manner of
-// Moreland (2009), whose ends are equally light.
-constexpr std::array<const char*, 11> sequential_map = {"#440154", "#482475", "#414487", "#355F8D",
-                                                        "#2A788E", "#21918C", "#22A884", "#44BF70",
-                                                        "#7AD151", "#BDDF26", "#FDE725"};
-constexpr std::array<const char*, 9> diverging_map = {"#2A4BA0", "#4A73C3", "#7FA5DF",
-                                                      "#B9D0EE", "#FFFFFF", "#F3C6B0",
-                                                      "#E0917A", "#C5524F", "#9E1B2F"};
-
-// Pixels of a picture as SVG, and how many more the PNG has each way.
-constexpr int width = 640;
-constexpr int height = 460;
-constexpr int sharpness = 3;
 
 // About the pixels of the plot's area in the PNG.
 constexpr std::size_t raster_columns = 1000;
@@ -163,17 +150,9 @@ Span colors_of(const Field& field) {
   return span.low < span.high ? span : Span{span.low - margin, span.high + margin};
 }
 
-template <std::size_t count>
-std::string color_map(const std::array<const char*, count>& colors) {
-  std::vector<std::string> steps;
-  steps.reserve(count);
-  for (const char* color : colors) steps.push_back(fmt::format("{} '{}'", steps.size(), color));
-  return fmt::format("set palette defined ({}) maxcolors 0\n", fmt::join(steps, ", "));
-}
-
 std::string color_bar(const Field& field) {
   const Span span = colors_of(field);
-  return (field.is_diverging ? color_map(diverging_map) : color_map(sequential_map)) +
+  return (field.is_diverging ? diverging_palette() : sequential_palette(0)) +
          fmt::format(
              "set cbrange [{}:{}]\nset cblabel {} offset 1,0\n"
              "set cbtics out scale 0.5 format '%h'\nset style line 1 lc rgb '#000000' lw 0.6\nset "
@@ -253,15 +232,8 @@ std::vector<std::filesystem::path> draw(const Figure& figure, const std::filesys
   const std::string script = plot_script(figure);
   const std::filesystem::path png = stem.string() + ".png";
   const std::filesystem::path svg = stem.string() + ".svg";
-  run_gnuplot(fmt::format("set terminal pngcairo enhanced size {0},{1} font 'DejaVu Sans,10' "
-                          "fontscale {2} linewidth {2} pointscale {2}\n",
-                          width * sharpness, height * sharpness, sharpness) +
-                  script,
-              png, std::string_view("IEND\xae\x42\x60\x82"));
-  run_gnuplot(fmt::format("set terminal svg standalone enhanced size {},{} font 'DejaVu Sans,12'\n",
-                          width, height) +
-                  script,
-              svg, "</svg>\n\n");
+  run_gnuplot(png_terminal() + script, png, png_ending);
+  run_gnuplot(svg_terminal() + script, svg, svg_ending);
   return {png, svg};
 }
 

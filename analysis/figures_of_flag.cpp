@@ -22,6 +22,7 @@ enum Column : std::size_t {
 };
 
 constexpr std::size_t most_shapes_drawn = 40;
+constexpr std::size_t surfaces_unasked = 6;
 
 std::vector<double> column(const hdf5::Array& history, std::size_t index) {
   std::vector<double> values;
@@ -32,6 +33,42 @@ std::vector<double> column(const hdf5::Array& history, std::size_t index) {
 
 bool is_drawn(const std::vector<double>& energy) {
   return std::ranges::any_of(energy, [](double e) { return e != 0; });
+}
+
+// The shapes whose strain is drawn: the nearest to the times asked for, or a few at equal
+// intervals.
+std::vector<std::size_t> shapes_with_strain(const hdf5::Reader& file) {
+  const std::vector<double> times = file.read("/shape_times").values;
+  std::vector<std::size_t> chosen;
+  for (const double asked : file.read("/contour_times").values) {
+    const auto distance = [&](double t) { return std::abs(t - asked); };
+    chosen.push_back(
+        static_cast<std::size_t>(std::ranges::min_element(times, {}, distance) - times.begin()));
+  }
+  if (!chosen.empty()) return chosen;
+  const std::size_t count = std::min(surfaces_unasked, times.size());
+  for (std::size_t k = 0; k < count; ++k)
+    chosen.push_back(count == 1 ? 0 : k * (times.size() - 1) / (count - 1));
+  return chosen;
+}
+
+std::string array_name(const char* quantity, std::size_t shape) {
+  return fmt::format("/{}/{:06}", quantity, shape);
+}
+
+// Values of the cells of a grid at its nodes: means of the cells around.
+std::vector<double> at_nodes(const std::vector<double>& of_cells, std::size_t rows,
+                             std::size_t columns) {
+  std::vector<double> sums(rows * columns, 0.0), shares(rows * columns, 0.0);
+  for (std::size_t i = 0; i + 1 < rows; ++i)
+    for (std::size_t j = 0; j + 1 < columns; ++j)
+      for (const std::size_t node : {i * columns + j, i * columns + j + 1, (i + 1) * columns + j,
+                                     (i + 1) * columns + j + 1}) {
+        sums[node] += of_cells[i * (columns - 1) + j];
+        shares[node] += 1;
+      }
+  for (std::size_t node = 0; node < sums.size(); ++node) sums[node] /= shares[node];
+  return sums;
 }
 
 }  // namespace
@@ -68,8 +105,13 @@ Figure figure_of_flag_history(const hdf5::Reader& file) {
 
 Figure figure_of_flag_convergence(const hdf5::Reader& file) {
   Figure figure;
-  figure.x = {"1/({/:Italic N} − 1)", true, {}, {}};
-  figure.y = {"error of the deflection / {/:Italic L}", true, {}, {}};
+  if (file.text("/", "of") == "frequency") {
+    figure.x = {"{/:Italic Δt V}/{/:Italic L}", true, {}, {}};
+    figure.y = {"error of the frequency {/:Italic ωL}/{/:Italic V}", true, {}, {}};
+  } else {
+    figure.x = {"1/({/:Italic N} − 1)", true, {}, {}};
+    figure.y = {"error of the deflection / {/:Italic L}", true, {}, {}};
+  }
   const std::vector<double> h = file.read("/h").values;
   const std::vector<double> error = file.read("/error").values;
   const double order = file.number("/", "order", 0);
@@ -93,20 +135,39 @@ Figure figure_of_flag_shapes(const hdf5::Reader& file) {
   figure.x.label = "{/:Italic y}/{/:Italic L}";
   figure.y.label = "{/:Italic z}/{/:Italic L}";
   const std::vector<double> times = file.read("/shape_times").values;
-  const hdf5::Array shapes = file.read("/shapes");
-  const std::size_t nodes = shapes.shape[1];
-  const auto chord_nodes = static_cast<std::size_t>(file.number("/", "chord_nodes", 0));
   const std::size_t stride = (times.size() + most_shapes_drawn - 1) / most_shapes_drawn;
   for (std::size_t s = 0; s < times.size(); s += std::max<std::size_t>(stride, 1)) {
+    const hdf5::Array nodes = file.read(array_name("position", s));
     Line line;
-    for (std::size_t j = 0; j < chord_nodes; ++j) {
-      line.x.push_back(shapes.values[(s * nodes + j) * 3 + 1]);
-      line.y.push_back(shapes.values[(s * nodes + j) * 3 + 2]);
+    for (std::size_t j = 0; j < nodes.shape[1]; ++j) {
+      line.x.push_back(nodes.values[3 * j + 1]);
+      line.y.push_back(nodes.values[3 * j + 2]);
     }
     line.width = 1;
     figure.lines.push_back(std::move(line));
   }
   return figure;
+}
+
+SurfacePicture picture_of_strain(const hdf5::Reader& file) {
+  SurfacePicture picture{"{/:Italic x}/{/:Italic L}",
+                         "{/:Italic y}/{/:Italic L}",
+                         "{/:Italic z}/{/:Italic L}",
+                         "strain along the chord",
+                         {}};
+  for (const std::size_t s : shapes_with_strain(file)) {
+    const hdf5::Array nodes = file.read(array_name("position", s));
+    Surface surface{nodes.shape[0], nodes.shape[1], {}, {}, {}, {}};
+    for (std::size_t n = 0; n < nodes.values.size(); n += 3) {
+      surface.x.push_back(nodes.values[n]);
+      surface.y.push_back(nodes.values[n + 1]);
+      surface.z.push_back(nodes.values[n + 2]);
+    }
+    surface.values =
+        at_nodes(file.read(array_name("e_1", s)).values, surface.rows, surface.columns);
+    picture.surfaces.push_back(std::move(surface));
+  }
+  return picture;
 }
 
 }  // namespace pennon::analysis

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/figure.hpp"
+#include "analysis/surface_picture.hpp"
 #include "common/hdf5.hpp"
 
 namespace pennon::analysis {
@@ -9,10 +10,15 @@ namespace pennon::analysis {
 /// The energies over time (figure 24b of the paper).
 Figure figure_of_flag_history(const hdf5::Reader&);
 
-/// The chord of the first spanwise station in the (y, z) plane at the kept times (figure 24a).
+/// The chord of the first spanwise station in the (y, z) plane at the kept times.
 Figure figure_of_flag_shapes(const hdf5::Reader&);
 
-/// The error of a deflection by the spacing of the nodes (figures 21b and 23b).
+/// The flag in space with its strain along the chord, at the times the file asks for (figure 24a).
+/// Only for a flag with a span.
+SurfacePicture picture_of_strain(const hdf5::Reader&);
+
+/// The error of a deflection by the spacing of the nodes (figures 21b and 23b), or of a frequency
+/// by the time step (figure 22b).
 Figure figure_of_flag_convergence(const hdf5::Reader&);
 
 }  // namespace pennon::analysis

@@ -4,6 +4,7 @@
 
 #include "analysis/figure.hpp"
 #include "analysis/figures_of_flag.hpp"
+#include "analysis/figures_of_fluid.hpp"
 #include "analysis/figures_of_lsa.hpp"
 #include "analysis/figures_of_modes.hpp"
 #include "common/errors.hpp"
@@ -21,6 +22,8 @@ Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
   if (kind == "flag_history") return figure_of_flag_history(file);
   if (kind == "flag_convergence") return figure_of_flag_convergence(file);
   if (kind == "flag_shapes") return figure_of_flag_shapes(file);
+  if (kind == "fluid_history") return figure_of_fluid_history(file);
+  if (kind == "fluid_fields") return figure_of_fluid_fields(file);
   throw InputError(path.string(),
                    kind.empty() ? "is not a file that pennon wrote: it has no attribute `kind`"
                                 : fmt::format("holds {}, which this pennon cannot draw", kind));
@@ -32,7 +35,10 @@ std::vector<std::filesystem::path> plot(const std::filesystem::path& path) {
   const hdf5::Reader file(path);
   std::filesystem::path stem = path;
   stem.replace_extension();
-  return draw(figure_of(path, file), stem);
+  std::vector<std::filesystem::path> pictures = draw(figure_of(path, file), stem);
+  if (file.text("/", "kind") == "flag_shapes" && file.shape("/position/000000")[0] > 1)
+    pictures.push_back(draw(picture_of_strain(file), stem.string() + "_strain"));
+  return pictures;
 }
 
 }  // namespace pennon::analysis

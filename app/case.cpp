@@ -35,7 +35,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
     faults.about("flow", "[flow] is missing: Re, the Reynolds number V L/nu, has no default");
   check(lsa, flag, flow, faults);
   check(modes, flag, flow, faults);
-  check(dns, flag, faults);
+  check(dns, flag, has_flow, faults);
   faults.raise();
 }
 

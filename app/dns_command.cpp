@@ -1,16 +1,22 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "analysis/plot.hpp"
 #include "app/commands.hpp"
 #include "common/errors.hpp"
+#include "common/ranks.hpp"
 #include "dns/flag_convergence.hpp"
 #include "dns/flag_run.hpp"
+#include "dns/fluid_run.hpp"
 #include "modes/initial_shape.hpp"
+#include "modes/study.hpp"
 
 namespace pennon::app {
 namespace {
 
-std::optional<dns::Displacement> displacement_of(const Case& the_case) {
+std::optional<dns::ShapeFunction> displacement_of(const Case& the_case) {
   const dns::InitialSettings& initial = the_case.dns.initial;
   if (initial.A.empty() && initial.B.empty()) return std::nullopt;
   return modes::InitialShape(initial.A, initial.B, the_case.flag.gamma);
@@ -30,19 +36,74 @@ std::string text_of(const dns::RunResult& result) {
   return text;
 }
 
+// The mode that a prescribed motion follows, of largest displacement 1 at the trailing edge.
+dns::ShapeFunction mode_of(const Case& the_case) {
+  const dns::MotionSettings& motion = the_case.dns.motion;
+  if (motion.kind != dns::MotionKind::mode) return {};
+  modes::Settings settings = the_case.modes;
+  settings.n = {motion.n};
+  settings.m = motion.m;
+  const modes::NormalModes found =
+      modes::run(settings, the_case.flag, the_case.flow).modes;
+  const modes::NormalMode mode = found.modes.back();
+  constexpr int points = 200;
+  double largest = 0;
+  for (int k = 0; k <= points; ++k)
+    largest = std::max(largest, std::abs(mode.shape(static_cast<double>(k) / points)));
+  return [mode, largest](double x, double y) {
+    return mode.shape(y) / largest * std::cos(mode.k_x * x);
+  };
+}
+
+std::string text_of(const dns::FluidRunResult& result) {
+  const auto last = [&](const char* name) {
+    const auto& columns = dns::columns_of_fluid_history();
+    const auto* found = std::ranges::find_if(
+        columns, [&](const dns::FluidColumn& column) { return column.name == std::string(name); });
+    return result.last[static_cast<std::size_t>(found - columns.begin())];
+  };
+  return fmt::format(
+      "  {}: {} cells, {} steps to t = {:.6g} in {:.3g} s, {:.3g} ns per cell and step\n"
+      "  pressure iterations {:.2f} on average, {} at most; least area of a cell {:.3f} of that at "
+      "rest\n"
+      "  C_D = {:.6g}, C_L = {:.6g}, energy defect {:.3g}\n",
+      result.status, result.cells, result.steps, result.t_end, result.wall_seconds,
+      1e9 * result.step_seconds / static_cast<double>(std::max<std::int64_t>(result.steps, 1)) /
+          static_cast<double>(result.cells),
+      result.pressure_iterations_mean, result.pressure_iterations_max, result.least_area,
+      last("C_D"), last("C_L"), last("energy_defect"));
+}
+
+Answer run_fluid(const Case& the_case, const std::optional<std::filesystem::path>& checkpoint,
+                 const OutputFolder& folder, Record& record, const Options& options) {
+  const dns::FluidRunResult result = [&] {
+    const auto timer = record.time("dns");
+    return dns::run_fluid(the_case.dns, the_case.flag, the_case.flow, mode_of(the_case),
+                          checkpoint, folder, !options.quiet && ranks::is_leading());
+  }();
+  const auto timer = record.time("pictures");
+  if (ranks::is_leading()) analysis::plot(folder / "history.h5");
+  return {{{"dns", to_json(result)}},
+          fmt::format("{}: the fluid about a flag that moves as prescribed\n{}", the_case.name,
+                      text_of(result))};
+}
+
 Answer run_convergence(const Case& the_case, const OutputFolder& folder, Record& record,
                        const Options& options) {
   const auto timer = record.time("dns");
   const dns::Convergence found =
       dns::run_convergence(the_case.dns, the_case.flag, folder, !options.quiet);
   analysis::plot(folder / "convergence.h5");
-  std::string text = fmt::format("{}: equilibria on {} grids\n     n     deflection\n",
-                                 the_case.name, found.n.size());
-  for (std::size_t k = 0; k < found.n.size(); ++k)
-    text += fmt::format("  {:4} {:14.8g}\n", found.n[k], found.deflection[k]);
-  text +=
-      fmt::format("  {} {:.8g}; the error falls with the power {:.2f} of the spacing\n",
-                  found.is_limit_given ? "reference" : "extrapolated", found.limit, found.order);
+  const bool is_step = found.refinement == dns::Refinement::step;
+  std::string text =
+      fmt::format("{}: {}\n  {:>7} {:>14}\n", the_case.name,
+                  is_step ? "a vibration with several time steps" : "equilibria on several grids",
+                  dns::size_name(found.refinement), dns::value_name(found.refinement));
+  for (std::size_t k = 0; k < found.sizes.size(); ++k)
+    text += fmt::format("  {:7} {:14.8g}\n", found.sizes[k], found.values[k]);
+  text += fmt::format("  {} {:.8g}; the error falls with the power {:.2f} of the {}\n",
+                      found.is_limit_given ? "reference" : "extrapolated", found.limit, found.order,
+                      is_step ? "time step" : "spacing");
   return {{{"convergence", to_json(found)}}, text};
 }
 
@@ -50,10 +111,14 @@ Answer run_convergence(const Case& the_case, const OutputFolder& folder, Record&
 
 void run_dns(const Options& options, const std::string& restart) {
   const auto prepare = [&](Case& the_case) {
-    if (the_case.has_flow)
-      throw InputError(
-          options.case_file,
-          "has [flow], but only a flag by itself can be simulated so far; leave [flow] out");
+    if (the_case.has_flow && !the_case.dns.motion.is_given)
+      throw InputError(options.case_file,
+                       "has [flow] but no [dns.motion]: a flag that the flow moves cannot be "
+                       "simulated so far; give its motion, or leave [flow] out for the flag by "
+                       "itself");
+    if (!the_case.has_flow && ranks::count() > 1)
+      throw InputError("mpiexec", fmt::format("started {} ranks, but a flag by itself runs on one",
+                                              ranks::count()));
     the_case.dns.is_given = true;
   };
   const auto work = [&](const Case& the_case, const OutputFolder& folder,
@@ -62,6 +127,7 @@ void run_dns(const Options& options, const std::string& restart) {
       return run_convergence(the_case, folder, record, options);
     std::optional<std::filesystem::path> checkpoint;
     if (!restart.empty()) checkpoint = restart;
+    if (the_case.has_flow) return run_fluid(the_case, checkpoint, folder, record, options);
     const dns::RunResult result = [&] {
       const auto timer = record.time("dns");
       return dns::run(the_case.dns, the_case.flag, displacement_of(the_case), checkpoint, folder,

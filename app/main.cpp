@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <exception>
 #include <string>
 
 #include "app/commands.hpp"
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
+#include "common/petsc.hpp"
+#include "common/ranks.hpp"
 #include "common/version.hpp"
 
 namespace {
@@ -65,7 +68,7 @@ int run(int argc, char** argv) {
   modes->callback([&] { app::run_modes(options); });
 
   std::string restart;
-  CLI::App* dns = app.add_subcommand("dns", "direct simulation; so far of a flag by itself");
+  CLI::App* dns = app.add_subcommand("dns", "direct simulation of the flag by itself, or of the flow about a flag in prescribed motion");
   add_case_options(*dns, options);
   dns->add_option("--restart", restart, "go on from this checkpoint");
   dns->footer("Example: pennon dns data/cases/flag/swinging_membrane.toml");
@@ -89,20 +92,34 @@ int run(int argc, char** argv) {
   return exit_done;
 }
 
+// Started by mpiexec: only then do all commands begin with MPI, which takes its time.
+bool is_parallel() {
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
+}
+
+void say(const char* text) {
+  if (ranks::is_leading()) fmt::print(stderr, "{}\n", text);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   watch_for_interrupts();
   try {
+    if (is_parallel()) petsc::start();
     return run(argc, argv);
   } catch (const InputError& fault) {
-    fmt::print(stderr, "{}\n", fault.what());
+    say(fault.what());
     return exit_bad_input;
   } catch (const SolverError& fault) {
-    fmt::print(stderr, "pennon: {}\n", fault.what());
+    say(fmt::format("pennon: {}", fault.what()).c_str());
     return exit_not_converged;
-  } catch (const std::exception& fault) {
+  } catch (const Interrupted& stop) {
+    say(fmt::format("pennon: {}", stop.what()).c_str());
+    return exit_other;
+  } catch (const std::exception& fault) {  // of this rank alone: a full disk, a bug
     fmt::print(stderr, "pennon: {}\n", fault.what());
+    if (ranks::count() > 1) ranks::abandon(exit_other);
     return exit_other;
   }
 }

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "common/atomic_file.hpp"
+#include "common/ranks.hpp"
 #include "common/version.hpp"
 
 namespace pennon::app {
@@ -41,14 +42,15 @@ void run(const Command& command, const Options& options) {
       fmt::format("# {} as pennon {} understood it: every key, defaults included.\n{}",
                   the_case.name, version(), resolved_text(the_case.schema));
   if (options.check) {
-    fmt::print("{}", resolved);
+    if (ranks::is_leading()) fmt::print("{}", resolved);
     return;
   }
   const OutputFolder folder(options.output.empty() ? "results/" + the_case.name : options.output);
   const bool is_same_case = contents(folder / "case.resolved.toml") == resolved;
-  write_file(folder / "case.resolved.toml", resolved);
+  if (ranks::is_leading()) write_file(folder / "case.resolved.toml", resolved);
 
   const Answer answer = command.work(the_case, folder, record);
+  if (!ranks::is_leading()) return;
   const Json summary = merged_summary(folder, is_same_case, answer.json);
   write_file(folder / "summary.json", summary.dump(2) + "\n");
   record.write(folder / "record.json");

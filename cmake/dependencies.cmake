@@ -33,14 +33,22 @@ pennon_find_package(nlohmann_json nlohmann-json3-dev)
 pennon_find_package(OpenMP libgomp1)
 
 # SuiteSparse comes without a package description on Debian 12.
-find_path(UMFPACK_INCLUDE_DIR umfpack.h PATH_SUFFIXES suitesparse)
+find_path(SUITESPARSE_INCLUDE_DIR umfpack.h PATH_SUFFIXES suitesparse)
 find_library(UMFPACK_LIBRARY umfpack)
-if(NOT UMFPACK_INCLUDE_DIR OR NOT UMFPACK_LIBRARY)
-  message(FATAL_ERROR "umfpack was not found: install libsuitesparse-dev (./run.sh does it)")
+find_library(CHOLMOD_LIBRARY cholmod)
+if(NOT SUITESPARSE_INCLUDE_DIR OR NOT UMFPACK_LIBRARY OR NOT CHOLMOD_LIBRARY)
+  message(FATAL_ERROR "SuiteSparse was not found: install libsuitesparse-dev (./run.sh does it)")
 endif()
-add_library(pennon_umfpack INTERFACE)
-target_include_directories(pennon_umfpack SYSTEM INTERFACE ${UMFPACK_INCLUDE_DIR})
-target_link_libraries(pennon_umfpack INTERFACE ${UMFPACK_LIBRARY})
+set(SUITESPARSE_VERSION "")
+foreach(part MAIN SUB SUBSUB)
+  file(STRINGS ${SUITESPARSE_INCLUDE_DIR}/SuiteSparse_config.h line
+       REGEX "^#define SUITESPARSE_${part}_VERSION")
+  string(REGEX REPLACE "[^0-9]" "" number "${line}")
+  string(JOIN . SUITESPARSE_VERSION ${SUITESPARSE_VERSION} ${number})
+endforeach()
+add_library(pennon_suitesparse INTERFACE)
+target_include_directories(pennon_suitesparse SYSTEM INTERFACE ${SUITESPARSE_INCLUDE_DIR})
+target_link_libraries(pennon_suitesparse INTERFACE ${UMFPACK_LIBRARY} ${CHOLMOD_LIBRARY})
 
 # PETSc with real numbers, also where the one with complex numbers is the system's default.
 file(GLOB petsc_real_dirs /usr/lib/petscdir/*/*-real/lib/pkgconfig)

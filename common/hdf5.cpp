@@ -102,7 +102,7 @@ void Writer::attributes(const Attributes& attributes) {
   for (const auto& [name, value] : attributes) write_attribute(file_, name, value, says(name));
 }
 
-void Writer::declare(const std::string& name, const Shape& shape, const Attributes& attributes) {
+Handle Writer::create(const std::string& name, const Shape& shape, const Attributes& attributes) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      H5Sclose, says(name));
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, says(name));
@@ -111,15 +111,20 @@ void Writer::declare(const std::string& name, const Shape& shape, const Attribut
       H5Dcreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
       H5Dclose, says(name));
   for (const auto& [key, value] : attributes) write_attribute(dataset, key, value, says(name));
-  open_.emplace(name, std::move(dataset));
+  return dataset;
+}
+
+void Writer::declare(const std::string& name, const Shape& shape, const Attributes& attributes) {
+  open_.emplace(name, create(name, shape, attributes));
 }
 
 void Writer::write(const std::string& name, const Shape& shape, std::span<const double> values,
                    const Attributes& attributes) {
   assert(values.size() == count(shape));
-  declare(name, shape, attributes);
-  check(H5Dwrite(open_.at(name), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+  Handle dataset = create(name, shape, attributes);
+  check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
         says(name));
+  dataset.close(says(name));
 }
 
 void Writer::write_rows(const std::string& name, hsize_t first_row, hsize_t rows,
@@ -161,16 +166,6 @@ bool Reader::contains(const std::string& name) const {
     if (H5Lexists(file_, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
     if (slash == std::string::npos) return true;
   }
-}
-
-std::vector<std::string> Reader::names() const {
-  std::vector<std::string> names;
-  const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* kept) -> herr_t {
-    static_cast<std::vector<std::string>*>(kept)->emplace_back(name);
-    return 0;
-  };
-  H5Literate(file_, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &names);
-  return names;
 }
 
 Handle Reader::open(const std::string& name) const {

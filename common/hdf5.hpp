@@ -67,10 +67,11 @@ class Writer {
 
  private:
   std::string says(const std::string& name) const;
+  Handle create(const std::string& name, const Shape&, const Attributes&);
 
   AtomicFile target_;
   Handle file_;
-  std::map<std::string, Handle> open_;
+  std::map<std::string, Handle> open_;  // what is declared
 };
 
 /// Reads a file. All members throw InputError that names the file and what it lacks, and FileError
@@ -80,7 +81,6 @@ class Reader {
   explicit Reader(const std::filesystem::path& path);
 
   bool contains(const std::string& name) const;
-  std::vector<std::string> names() const;
   Array read(const std::string& name) const;
   /// Every strides[d]-th element along each index d, from the first.
   Array read_every(const std::string& name, const Shape& strides) const;

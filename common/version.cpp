@@ -36,6 +36,7 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
       {"HDF5", fmt::format("{}.{}.{}", major, minor, patch)},
       {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
                                     NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+      {"SuiteSparse", SUITESPARSE_VERSION_TEXT},
       {"toml++", fmt::format("{}.{}.{}", TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
       {"compiler", __VERSION__},
   };

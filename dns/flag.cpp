@@ -70,6 +70,12 @@ NodeVectors<dim> Flag<dim>::rest() const {
 }
 
 template <int dim>
+void Flag<dim>::clear_held(NodeVectors<dim>& vectors) const {
+  for (int node = 0; node < mesh_.nodes(); ++node)
+    if (is_held_[static_cast<std::size_t>(node)]) vectors.col(node).setZero();
+}
+
+template <int dim>
 std::unique_ptr<TangentMatrix<dim>> Flag<dim>::tangent_matrix() const {
   return std::make_unique<TangentMatrix<dim>>(is_held_, coupled_nodes(mesh_, bending_));
 }

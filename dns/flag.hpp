@@ -53,8 +53,8 @@ class Flag {
   const FlagMaterial& material() const { return material_; }
   /// mu times the area of each node.
   const Eigen::VectorXd& mass() const { return mass_; }
-  /// Whether the edge conditions hold each node's position.
-  const std::vector<bool>& is_held() const { return is_held_; }
+  /// Sets the vectors of the nodes to zero whose position the edge conditions hold.
+  void clear_held(NodeVectors<dim>& vectors) const;
   int elements() const { return pressure_.elements(); }
   const Stretch<dim>& stretch() const { return stretch_; }
 

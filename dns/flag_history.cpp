@@ -1,9 +1,12 @@
 #include "dns/flag_history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
+#include "common/xdmf.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -31,11 +34,74 @@ void write_rows(const FlagHistory& history, hdf5::Writer& file) {
              column_names());
 }
 
-void write_shapes(const FlagHistory& history, std::size_t nodes, hdf5::Writer& file) {
-  file.write("/shape_times", {history.shape_times.size()}, history.shape_times,
-             {{"meaning", "t, in L/V"}});
-  file.write("/shapes", {history.shape_times.size(), nodes, 3}, history.shapes,
-             {{"meaning", "x, y, z of each node, in L"}});
+struct Quantity {
+  const char* name;
+  const char* meaning;
+};
+constexpr std::array<Quantity, 3> velocities = {{{"v_x", "velocity along x of each node, in V"},
+                                                 {"v_y", "velocity along y of each node, in V"},
+                                                 {"v_z", "velocity along z of each node, in V"}}};
+constexpr std::array<Quantity, 3> strains = {{{"e_1", "strain along the chord of each cell"},
+                                              {"e_2", "strain along the span of each cell"},
+                                              {"shear", "x_1.x_2 of each cell"}}};
+
+std::string array_name(const char* quantity, std::size_t shape) {
+  return fmt::format("/{}/{:06}", quantity, shape);
+}
+
+constexpr const char* shapes_file = "shapes.h5";
+
+// Writes each shape as arrays of its own and says where they are, if `file` is that of the shapes.
+std::vector<xdmf::Grid> write_shapes(const FlagShapes& shapes, hdf5::Writer& file) {
+  file.write("/shape_times", {shapes.times.size()}, shapes.times, {{"meaning", "t, in L/V"}});
+  const hdf5::Shape nodes = {shapes.rows, shapes.columns};
+  const hdf5::Shape cells = {std::max<hsize_t>(shapes.rows - 1, 1), shapes.columns - 1};
+  std::vector<xdmf::Grid> series;
+  for (std::size_t s = 0; s < shapes.times.size(); ++s) {
+    const auto write = [&](const Quantity& quantity, const hdf5::Shape& shape,
+                           const std::vector<double>& values) {
+      const std::string array = array_name(quantity.name, s);
+      file.write(array, shape, values, {{"meaning", quantity.meaning}});
+      return xdmf::Source{shapes_file, array, shape};
+    };
+    xdmf::Grid grid{shapes.times[s],
+                    nodes,
+                    write({"position", "x, y, z of each node, in L"},
+                          {shapes.rows, shapes.columns, 3}, shapes.positions[s]),
+                    {}};
+    for (std::size_t k = 0; k < velocities.size(); ++k)
+      grid.attributes.push_back({velocities[k].name, xdmf::Center::node,
+                                 write(velocities[k], nodes, shapes.velocities[s][k])});
+    for (std::size_t k = 0; k < strains.size(); ++k) {
+      if (shapes.strains[s][k].empty()) continue;
+      xdmf::Source strain = write(strains[k], cells, shapes.strains[s][k]);
+      if (shapes.rows > 1)  // else the grid is a line
+        grid.attributes.push_back({strains[k].name, xdmf::Center::cell, std::move(strain)});
+    }
+    series.push_back(std::move(grid));
+  }
+  return series;
+}
+
+FlagShapes read_shapes(const hdf5::Reader& file) {
+  FlagShapes shapes;
+  shapes.times = file.read("/shape_times").values;
+  for (std::size_t s = 0; s < shapes.times.size(); ++s) {
+    hdf5::Array positions = file.read(array_name("position", s));
+    shapes.rows = positions.shape[0];
+    shapes.columns = positions.shape[1];
+    shapes.positions.push_back(std::move(positions.values));
+    const auto read = [&](const std::array<Quantity, 3>& quantities) {
+      std::array<std::vector<double>, 3> values;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const std::string array = array_name(quantities[k].name, s); file.contains(array))
+          values[k] = file.read(array).values;
+      return values;
+    };
+    shapes.velocities.push_back(read(velocities));
+    shapes.strains.push_back(read(strains));
+  }
+  return shapes;
 }
 
 }  // namespace
@@ -91,7 +157,43 @@ template HistoryRow history_row(const Flag<2>&, const FlagLoads<2>&, double, con
 template HistoryRow history_row(const Flag<3>&, const FlagLoads<3>&, double, const NodeVectors<3>&,
                                 const NodeVectors<3>&, double, double, int, int);
 
-void write_history(const FlagHistory& history, const FlagMesh& mesh,
+template <int dim>
+void add_shape(const Flag<dim>& flag, double t, const NodeVectors<dim>& x,
+               const NodeVectors<dim>& v, FlagShapes& shapes) {
+  const FlagMesh& mesh = flag.mesh();
+  const bool closes = dim == 3 && mesh.is_periodic();
+  shapes.rows = static_cast<hsize_t>(mesh.stations()) + (closes ? 1 : 0);
+  shapes.columns = static_cast<hsize_t>(mesh.chord_nodes());
+  const auto nodes = static_cast<Eigen::Index>(shapes.rows * shapes.columns);
+  const auto closed = [&](const NodeVectors<dim>& vectors, double period) {
+    Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, nodes);
+    all.bottomLeftCorner<dim, Eigen::Dynamic>(dim, vectors.cols()) = vectors;
+    if (closes) {
+      const auto columns = static_cast<Eigen::Index>(shapes.columns);
+      all.rightCols(columns) = all.leftCols(columns);
+      all.row(0).tail(columns).array() += period;
+    }
+    return all;
+  };
+  const auto rows_of = [](const Eigen::Matrix3Xd& all, Eigen::Index count) {
+    std::array<std::vector<double>, 3> rows;
+    for (Eigen::Index k = 0; k < count; ++k)
+      rows[static_cast<std::size_t>(k)].assign(all.row(k).begin(), all.row(k).end());
+    return rows;
+  };
+  shapes.times.push_back(t);
+  const Eigen::Matrix3Xd positions = closed(x, mesh.span());
+  shapes.positions.emplace_back(positions.data(), positions.data() + positions.size());
+  shapes.velocities.push_back(rows_of(closed(v, 0), 3));
+  shapes.strains.push_back(rows_of(flag.stretch().strains(x), dim == 2 ? 1 : 3));
+}
+
+template void add_shape(const Flag<2>&, double, const NodeVectors<2>&, const NodeVectors<2>&,
+                        FlagShapes&);
+template void add_shape(const Flag<3>&, double, const NodeVectors<3>&, const NodeVectors<3>&,
+                        FlagShapes&);
+
+void write_history(const FlagHistory& history, const std::vector<double>& contour_times,
                    const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const HistoryColumn& column : columns_of_history()) names.emplace_back(column.name);
@@ -104,20 +206,19 @@ void write_history(const FlagHistory& history, const FlagMesh& mesh,
   write_rows(history, rows);
   rows.finish();
 
-  if (history.shape_times.empty()) return;
-  hdf5::Writer shapes(folder / "shapes.h5");
-  shapes.attributes({{"kind", "flag_shapes"},
-                     {"stations", std::int64_t(mesh.stations())},
-                     {"chord_nodes", std::int64_t(mesh.chord_nodes())}});
-  write_shapes(history, static_cast<std::size_t>(mesh.nodes()), shapes);
+  if (history.shapes.times.empty()) return;
+  hdf5::Writer shapes(folder / shapes_file);
+  shapes.attributes({{"kind", "flag_shapes"}});
+  const std::vector<xdmf::Grid> series = write_shapes(history.shapes, shapes);
+  shapes.write("/contour_times", {contour_times.size()}, contour_times,
+               {{"meaning", "of the shapes whose strain is drawn, in L/V"}});
   shapes.finish();
+  xdmf::write(folder / "shapes.xdmf", "flag", series);
 }
 
 void write_history(const FlagHistory& history, hdf5::Writer& file) {
   write_rows(history, file);
-  const std::size_t nodes =
-      history.shape_times.empty() ? 0 : history.shapes.size() / 3 / history.shape_times.size();
-  if (nodes > 0) write_shapes(history, nodes, file);
+  if (!history.shapes.times.empty()) write_shapes(history.shapes, file);
 }
 
 FlagHistory read_history(const hdf5::Reader& file) {
@@ -129,10 +230,7 @@ FlagHistory read_history(const hdf5::Reader& file) {
                 history_columns, row.begin());
     history.rows.push_back(row);
   }
-  if (file.contains("/shapes")) {
-    history.shape_times = file.read("/shape_times").values;
-    history.shapes = file.read("/shapes").values;
-  }
+  if (file.contains("/shape_times")) history.shapes = read_shapes(file);
   return history;
 }
 

@@ -25,16 +25,32 @@ HistoryRow history_row(const Flag<dim>&, const FlagLoads<dim>&, double t, const 
                        const NodeVectors<dim>& v, double dissipated, double work, int probe,
                        int iterations);
 
-/// Rows, and shapes as (x, y, z) of all nodes, with their times.
+/// The flag at some times as a grid of nodes, `rows` along the span by `columns` along the chord: a
+/// periodic span is closed by its first station once more, a period further.
+struct FlagShapes {
+  hsize_t rows = 0, columns = 0;
+  std::vector<double> times;
+  std::vector<std::vector<double>> positions;  ///< for each time: x, y, z of each node
+  /// For each time: the velocity's components at the nodes.
+  std::vector<std::array<std::vector<double>, 3>> velocities;
+  /// For each time: e_1, e_2 and shear of the cells; in two dimensions e_1 of the segments. See
+  /// Stretch.
+  std::vector<std::array<std::vector<double>, 3>> strains;
+};
+template <int dim>
+void add_shape(const Flag<dim>&, double t, const NodeVectors<dim>& x, const NodeVectors<dim>& v,
+               FlagShapes&);
+
 struct FlagHistory {
   std::vector<HistoryRow> rows;
-  std::vector<double> shape_times;
-  std::vector<double> shapes;  ///< [shape][node][3]
+  FlagShapes shapes;
 };
 
-/// Writes history.csv and history.h5 (kind = "flag_history"), and shapes.h5 (kind = "flag_shapes")
-/// if there are shapes. Throws FileError.
-void write_history(const FlagHistory&, const FlagMesh&, const std::filesystem::path& folder);
+/// Writes history.csv and history.h5 (kind = "flag_history"), and if there are shapes shapes.h5
+/// (kind = "flag_shapes") with shapes.xdmf, by which ParaView draws it. `contour_times`: of the
+/// shapes whose strain will be drawn, kept in shapes.h5. Throws FileError.
+void write_history(const FlagHistory&, const std::vector<double>& contour_times,
+                   const std::filesystem::path& folder);
 
 /// The same as part of a checkpoint.
 void write_history(const FlagHistory&, hdf5::Writer&);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "common/csv.hpp"
 #include "common/errors.hpp"
@@ -87,12 +88,22 @@ FlagLoads<dim> loads_of(const Settings& settings, const FlagParameters& paramete
   return loads;
 }
 
-// The start: straight at an angle, or displaced with every chordwise segment at its length.
+// The start: the mode of a plate, straight at an angle, or displaced with every chordwise segment
+// at its length.
 template <int dim>
-NodeVectors<dim> initial_shape(const Settings& settings, const std::optional<Displacement>& zeta,
+NodeVectors<dim> initial_shape(const Settings& settings, const std::optional<ShapeFunction>& zeta,
                                const Flag<dim>& flag) {
   const FlagMesh& mesh = flag.mesh();
   NodeVectors<dim> x = flag.rest();
+  if constexpr (dim == 3)
+    if (const double amplitude = settings.initial.plate_mode; amplitude != 0) {
+      for (int i = 0; i < mesh.stations(); ++i)
+        for (int j = 0; j < mesh.chord_nodes(); ++j)
+          x(2, mesh.index(i, j)) = amplitude *
+                                   std::sin(std::numbers::pi * mesh.x(i) / mesh.span()) *
+                                   std::sin(std::numbers::pi * mesh.y(j));
+      return x;
+    }
   const double angle = settings.initial.angle;
   for (int i = 0; i < mesh.stations(); ++i)
     for (int j = 1; j < mesh.chord_nodes(); ++j) {
@@ -121,7 +132,7 @@ template <int dim>
 class FlagRun {
  public:
   FlagRun(const Settings& settings, const FlagParameters& parameters,
-          const std::optional<Displacement>& zeta, const OutputFolder& folder)
+          const std::optional<ShapeFunction>& zeta, const OutputFolder& folder)
       : settings_(settings),
         folder_(folder),
         flag_(mesh_of(settings, parameters), material_of(parameters)),
@@ -180,7 +191,7 @@ class FlagRun {
       summary = stepper_.advance(
           state_, [this](double) { return loads_; }, target - state_.t);
     } catch (const SolverError& fault) {
-      write_history(history_, flag_.mesh(), folder_.path());
+      write_results();
       const std::string saved = checkpoint_.empty()
                                     ? "no checkpoint was written before"
                                     : "the last checkpoint is " + checkpoint_.string();
@@ -203,11 +214,7 @@ class FlagRun {
 
   void keep_shape() {
     if (settings_.output.shape_interval <= 0 && !settings_.flag.equilibrium) return;
-    history_.shape_times.push_back(state_.t);
-    for (int node = 0; node < flag_.mesh().nodes(); ++node)
-      history_.shapes.insert(
-          history_.shapes.end(),
-          {dim == 3 ? state_.x(0, node) : 0.0, state_.x(dim - 2, node), state_.x(dim - 1, node)});
+    add_shape(flag_, state_.t, state_.x, state_.v, history_.shapes);
   }
 
   void write_checkpoint() {
@@ -264,8 +271,12 @@ class FlagRun {
     checkpoint_ = path;
   }
 
+  void write_results() const {
+    write_history(history_, settings_.output.contour_times, folder_.path());
+  }
+
   RunResult finish(const std::string& status) {
-    write_history(history_, flag_.mesh(), folder_.path());
+    write_results();
     result_.status = status;
     result_.t_end = state_.t;
     result_.last = history_.rows.back();
@@ -292,7 +303,7 @@ class FlagRun {
 
 template <int dim>
 RunResult run_in(const Settings& settings, const FlagParameters& parameters,
-                 const std::optional<Displacement>& zeta, const std::optional<fs::path>& restart,
+                 const std::optional<ShapeFunction>& zeta, const std::optional<fs::path>& restart,
                  const OutputFolder& folder, bool shows_progress) {
   const auto begin = std::chrono::steady_clock::now();
   FlagRun<dim> flag_run(settings, parameters, zeta, folder);
@@ -306,7 +317,7 @@ RunResult run_in(const Settings& settings, const FlagParameters& parameters,
 }  // namespace
 
 RunResult run(const Settings& settings, const FlagParameters& parameters,
-              const std::optional<Displacement>& zeta, const std::optional<fs::path>& restart,
+              const std::optional<ShapeFunction>& zeta, const std::optional<fs::path>& restart,
               const OutputFolder& folder, bool shows_progress) {
   if (parameters.gamma)
     return run_in<3>(settings, parameters, zeta, restart, folder, shows_progress);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "common/parameters.hpp"
 #include "dns/flag_history.hpp"
 #include "dns/settings.hpp"
+#include "dns/shape_function.hpp"
 
 namespace pennon::dns {
 
@@ -28,15 +28,12 @@ struct RunResult {
   std::string checkpoint;  ///< empty for an equilibrium
 };
 
-/// z = zeta(x, y) of the initial shape (5.1), or nothing: the flag starts straight.
-using Displacement = std::function<double(double x, double y)>;
-
-/// Computes and writes history.h5, history.csv, shapes.h5 and checkpoint.h5 to the folder. With
-/// `restart`, goes on from that checkpoint to the case's t_end; the result is bit-identical to an
-/// uninterrupted run that wrote a checkpoint at the same time. Settings as check() accepts them.
-/// Throws SolverError (the last checkpoint's name in it), InputError (a checkpoint of another
-/// flag), FileError, Interrupted.
-RunResult run(const Settings&, const FlagParameters&, const std::optional<Displacement>&,
+/// Starts from z = zeta(x, y), or straight without it. Computes and writes history.h5, history.csv,
+/// shapes.h5, shapes.xdmf and checkpoint.h5 to the folder. With `restart`, goes on from that checkpoint to the
+/// case's t_end; the result is bit-identical to an uninterrupted run that wrote a checkpoint at the
+/// same time. Settings as check() accepts them. Throws SolverError (the last checkpoint's name in
+/// it), InputError (a checkpoint of another flag), FileError, Interrupted.
+RunResult run(const Settings&, const FlagParameters&, const std::optional<ShapeFunction>&,
               const std::optional<std::filesystem::path>& restart, const OutputFolder&,
               bool shows_progress);
 

@@ -1,5 +1,6 @@
-/// Equilibrium of a loaded flag: F(x) = 0 by Newton's method with the exact tangent, the loads
-/// raised in steps that shrink and grow with its success.
+/// Stable equilibrium of a loaded flag: F(x) = 0 with a positive definite tangent, by Newton's
+/// method down the potential energy, the loads raised in steps that shrink and grow with its
+/// success.
 #pragma once
 
 #include "dns/flag.hpp"
@@ -7,10 +8,11 @@
 namespace pennon::dns {
 
 struct EquilibriumSettings {
-  double tolerance = 1e-11;  ///< of the last change of any position, in L
-  int most_iterations =
-      1000;                ///< at one load; many where a slender flag slides along a curved valley
-  double first_share = 1;  ///< of the loads, tried first
+  /// Of the last change of any position, in L; where rounding forbids it, the first change below
+  /// 1e-6 that is no smaller than the one before.
+  double tolerance = 1e-11;
+  int most_iterations = 200;  ///< at one load, each with a factorisation of the tangent
+  double first_share = 1;     ///< of the loads, tried first
   double least_share = 1e-6;  ///< smallest rise of the loads before it gives up
 };
 

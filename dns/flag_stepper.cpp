@@ -82,13 +82,8 @@ bool FlagStepper<dim>::solve(const NodeVectors<dim>& start, StepSummary& summary
       factored_mass_ = equation_.mass_factor;
     }
     flag_.evaluate_forces(step, equation_.loads, change_);
-    for (int node = 0; node < flag_.mesh().nodes(); ++node) {
-      if (flag_.is_held()[static_cast<std::size_t>(node)])
-        change_.col(node).setZero();
-      else
-        change_.col(node) -= equation_.mass_factor * flag_.mass()[node] *
-                             (x_.col(node) - equation_.inertial.col(node));
-    }
+    change_ -= equation_.mass_factor * (x_ - equation_.inertial) * flag_.mass().asDiagonal();
+    flag_.clear_held(change_);
     tangent_->solve(change_);
     x_ += change_;
     ++summary.iterations;
@@ -112,9 +107,9 @@ bool FlagStepper<dim>::try_advance(FlagState<dim>& state, const LoadsAt& loads, 
     pose_backward_difference(state, loads, dt);
   else
     pose_energy_conserving(state, loads, dt);
-  x_ = equation_.guess;
-  for (int node = 0; node < flag_.mesh().nodes(); ++node)
-    if (flag_.is_held()[static_cast<std::size_t>(node)]) x_.col(node) = state.x.col(node);
+  change_ = equation_.guess - state.x;
+  flag_.clear_held(change_);
+  x_ = state.x + change_;
   if (!solve(state.x, summary)) return false;
   state.dissipated += flag_.stretch().dissipated(state.x, x_, dt);
   const FlagStep<dim> mean{state.x, x_, Pairing::discrete_gradient};

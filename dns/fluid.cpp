@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "common/errors.hpp"
+#include "common/ranks.hpp"
 #include "dns/ghosts.hpp"
 
 namespace pennon::dns {
@@ -71,6 +75,18 @@ void combine(double a, const Field<double>& f, double b, const Field<double>& g,
   for (std::size_t k = 0; k < sum.values().size(); ++k) to[k] = a * from[k] + b * other[k];
 }
 
+class StopWatch {
+ public:
+  // Seconds since the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
@@ -80,7 +96,7 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       parameters_(parameters),
       tolerances_(tolerances),
       upwinding_(upwinding),
-      extent_{span_.planes(), grid.n_rho(), grid.n_theta()},
+      extent_{span_.local_planes(), grid.n_rho(), grid.n_theta()},
       components_(span_.has_span() || parameters.U != 0 ? 3 : 2),
       elliptic_(grid),
       metrics_(extent_, span_.has_span()),
@@ -105,8 +121,10 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       line_lower_(extent_),
       line_pivot_(extent_),
       line_upper_(extent_) {
-  for (int m = 0; 2 * m <= span_.planes(); ++m)
-    flat_.push_back(flat_pressure(grid, span_.wavenumber(m)));
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    if (const int waves = span_.waves(plane); !span_.is_dropped(plane) && !flat_.contains(waves))
+      flat_.emplace(waves,
+                    flat_pressure(grid, Span::wavenumber(waves, span_.planes(), span_.length())));
   if (span_.has_span()) {
     f_xi_ = Field<double>(extent_);
     x_flux_ = Field<double>(extent_);
@@ -210,7 +228,7 @@ void Fluid::invert_flat_pressure(const double* in, double* out) {
     double* value = values;
     for (int j = 0; j < extent_.n_rho; ++j)
       for (int i = 0; i < extent_.n_theta; ++i) *value++ *= inverse_flat_area_(j, i);
-    flat_[static_cast<std::size_t>(std::min(plane, extent_.planes - plane))].solve(values);
+    flat_.at(span_.waves(plane)).solve(values);
   }
   span_.to_values(out, plane_cells, plane_cells);
 }
@@ -222,33 +240,34 @@ void Fluid::velocity_operator(const double* in, double* out) {
   unpack(in, f_);
   const auto extend = [&](bool is_viscous) {
     for (int plane = 0; plane < extent_.planes; ++plane) {
-      extend_to_wall(plane, no_velocity_.data(), f_);
       extend_outward(plane, is_inflow_,
                      static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta), 0.0,
                      is_viscous, f_);
-      f_.wrap_theta(plane, -2, n_rho + 2);
+      f_.wrap_theta(plane, n_rho, n_rho + 2);
     }
   };
-  extend(false);
-  convect(f_, work_);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    extend_to_wall(plane, no_velocity_.data(), f_);
+    f_.wrap_theta(plane, -2, n_rho);
+  }
   extend(true);
   balance_of_gradient(f_, true, balance_);
+  extend(false);
+  convect(f_, work_);
   for_each_row(extent_, [&](int plane, int j) {
     const double *balance = balance_.row(plane, j), *volume = metrics_.volume.row(plane, j);
-    const double* convection = work_.row(plane, j);
+    const double* carried = work_.row(plane, j);
     for (int i = 0; i < n_theta; ++i, ++in, ++out)
-      *out = volume[i] * (next_weight_ * *in + convection[i]) - balance[i] / parameters_.Re;
+      *out = volume[i] * (next_weight_ * *in + carried[i]) - balance[i] / parameters_.Re;
   });
 }
 
-// (C . grad) f, from f with its ghosts.
+// (C . grad) f, from f with its ghosts; f_xi_ holds its derivative along the span, which
+// balance_of_gradient() leaves there.
 void Fluid::convect(const Field<double>& f, Field<double>& result) {
   for (int plane = 0; plane < extent_.planes; ++plane)
-    for (int j = 0; j < extent_.n_rho; ++j) std::fill_n(result.row(plane, j), extent_.n_theta, 0.0);
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    add_convection(plane, C_s_, C_t_, f, upwinding_, result);
+    convection(plane, C_s_, C_t_, f, upwinding_, result);
   if (!span_.has_span()) return;
-  span_.differentiate(f, f_xi_);
   for_each_row(extent_, [&](int plane, int j) {
     const double *u = C_x_.row(plane, j), *f_xi = f_xi_.row(plane, j);
     double* sum = result.row(plane, j);
@@ -310,7 +329,6 @@ void Fluid::invert_lines(const double* in, double* out) const {
       for (int i = 0; i < n_theta; ++i) u[i] -= upper[i] * next[i];
     }
   }
-  if (span_.has_span()) span_.dealias(out, extent_.cells_of_plane(), extent_.cells_of_plane());
 }
 
 // --- The step
@@ -337,6 +355,7 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
   Displacement<double>&next = state.grid[0], &last = state.grid[1], &before = state.grid[2];
   combine(D.guess_last, last.y, D.guess_before, before.y, next.y);
   combine(D.guess_last, last.z, D.guess_before, before.z, next.z);
+  double folded = std::numeric_limits<double>::quiet_NaN();  // x of a plane where it does
   for (int plane = 0; plane < extent_.planes; ++plane) {
     const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
     const EllipticGridSummary found =
@@ -344,13 +363,12 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
                          tolerances_.grid, tolerances_.most_grid_passes);
     summary.grid_passes = std::max(summary.grid_passes, found.passes);
     summary.least_area = std::min(summary.least_area, found.least_area);
-    if (!(found.least_area > 0))
-      fail(t,
-           fmt::format("the grid folds in the plane x = {:.4g}: a cell has {:.3g} of its area at "
-                       "rest; the flag bends too sharply for n_theta = {}",
-                       span_.x(plane), found.least_area, n_theta));
+    if (!(found.least_area > 0)) folded = span_.x(plane);
   }
-  update_all_metrics(next);
+  if (ranks::any(!std::isnan(folded)))
+    fail(t, fmt::format("the grid folds in the plane x = {:.4g}: the flag bends too sharply for "
+                        "dns.n_theta = {}, or moves too far in a step of dns.dt",
+                        ranks::largest(std::isnan(folded) ? -1 : folded), n_theta));
   const auto velocity_of = [&](const Field<double>& d0, const Field<double>& d1,
                                const Field<double>& d2, Field<double>& at_cells,
                                std::vector<double>& at_wall) {
@@ -446,27 +464,27 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
     gradient(metrics_, plane, state.p, has_span ? &f_xi_ : nullptr,
              {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   for (std::size_t c = 0; c < guess_.size(); ++c) {
+    extend_velocity(state, static_cast<int>(c), guess_[c], true);
+    balance_of_gradient(guess_[c], true, balance_);
+    extend_velocity(state, static_cast<int>(c), guess_[c], false);
     convect(guess_[c], work_);
+    if (has_span) {  // in the operator, on the change from the guess, aliases are of no account
+      const std::size_t points = work_.values().size() / static_cast<std::size_t>(extent_.planes);
+      span_.dealias(work_.values().data(), points, points);
+    }
     const bool has_gradient = c < gradient_.size();
     std::size_t cell = 0;
     for_each_row(extent_, [&](int plane, int j) {
       const double *u = state.u[c].row(plane, j), *u_last = state.u_last[c].row(plane, j);
-      const double *convection = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+      const double *carried = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
+      const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
       const double* p_c = has_gradient ? gradient_[c].row(plane, j) : nullptr;
       for (int i = 0; i < n_theta; ++i)
-        right_[cell++] = -volume[i] * (D.last * u[i] + D.before * u_last[i] + convection[i] +
-                                       (has_gradient ? p_c[i] : 0.0));
+        right_[cell++] = balance[i] / parameters_.Re -
+                         volume[i] * (D.next * f[i] + D.last * u[i] + D.before * u_last[i] +
+                                      carried[i] + (has_gradient ? p_c[i] : 0.0));
     });
     if (manufactured_.force) add_force(state, c, t);
-    extend_velocity(state, static_cast<int>(c), guess_[c], true);
-    balance_of_gradient(guess_[c], true, balance_);
-    cell = 0;
-    for_each_row(extent_, [&](int plane, int j) {
-      const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
-      const double* volume = metrics_.volume.row(plane, j);
-      for (int i = 0; i < n_theta; ++i)
-        right_[cell++] -= D.next * volume[i] * f[i] - balance[i] / parameters_.Re;
-    });
     std::ranges::fill(solution_, 0.0);
     const KrylovSummary solved =
         velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);
@@ -575,6 +593,7 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   state.t = t;
   state.grid.assign(3, Displacement<double>(extent_));
   wall(t, wall_);
+  bool fits = true;
   for (int plane = 0; plane < extent_.planes; ++plane) {
     const std::size_t first =
         static_cast<std::size_t>(plane) * static_cast<std::size_t>(extent_.n_theta);
@@ -582,9 +601,9 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
     const EllipticGridSummary found =
         elliptic_.follow(plane, wall_.y.data() + first, wall_.z.data() + first, state.grid[0],
                          tolerances_.grid, most_passes);
-    if (!(found.least_area > 0))
-      fail(t, fmt::format("no grid fits the flag in the plane x = {:.4g}", span_.x(plane)));
+    fits = fits && found.least_area > 0;
   }
+  if (ranks::any(!fits)) fail(t, "no grid fits the flag: it bends too sharply for dns.n_theta");
   state.grid[1] = state.grid[0];
   state.grid[2] = state.grid[0];
   update_all_metrics(state.grid[0]);
@@ -607,9 +626,18 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
 FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, double dt) {
   const BackwardDifference D(dt, state.previous_dt);
   FluidStepSummary summary;
+  StopWatch watch;
   move_grid(state, wall, D, state.t + dt, summary);
+  summary.seconds.grid = watch.lap();
+  update_all_metrics(state.grid[0]);
+  summary.seconds.metrics = watch.lap();
   predict(state, D, state.t + dt, summary);
+  summary.seconds.prediction = watch.lap();
   project(state, D, summary, false);
+  summary.seconds.projection = watch.lap();
+  summary.CFL = ranks::largest(summary.CFL);
+  summary.least_area = ranks::least(summary.least_area);
+  summary.grid_passes = static_cast<int>(ranks::largest(summary.grid_passes));
   state.t += dt;
   state.previous_dt = dt;
   return summary;

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "dns/backward_difference.hpp"
@@ -62,20 +63,25 @@ struct FluidState {
   std::vector<bool> is_inflow;             ///< of the outer faces, plane by plane
 };
 
+/// Wall seconds of a step by phase.
+struct FluidStepTimes {
+  double grid = 0, metrics = 0, prediction = 0, projection = 0;
+};
+
 struct FluidStepSummary {
   int pressure_iterations = 0;
   int velocity_iterations = 0;  ///< the most of a component
   int grid_passes = 0;          ///< the most of a plane
   double least_area = 1;        ///< of a cell, over its area at rest
   double CFL = 0;               ///< largest Courant number, sum over the directions
-  double divergence = 0;        ///< root mean square of what is left, V/L
+  FluidStepTimes seconds;
 };
 
 class Fluid {
  public:
   /// `span`: one plane for two dimensions, which carries a third velocity only if U is not zero.
   Fluid(const OGrid&, Span, const FluidParameters&, const FluidTolerances&,
-        const Upwinding& = kawamura_kuwahara);
+        const Upwinding& = upwinding::kawamura_kuwahara);
 
   const OGrid& grid() const { return grid_; }
   const Span& span() const { return span_; }
@@ -139,7 +145,7 @@ class Fluid {
   int components_;
   EllipticGrid elliptic_;
   Metrics<double> metrics_;
-  std::vector<SeparableSolver> flat_;  // of each wavenumber 0 .. M/2
+  std::map<int, SeparableSolver> flat_;  // by the number of waves along the span
   Krylov pressure_, velocity_;
 
   Manufactured manufactured_;

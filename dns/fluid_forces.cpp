@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "common/ranks.hpp"
 #include "dns/ghosts.hpp"
 
 namespace pennon::dns {
@@ -93,8 +94,9 @@ Vector3 total_force(const Fluid& fluid, const WallTraction& traction) {
   Vector3 mean{};
   for (int plane = 0; plane < fluid.extent().planes; ++plane) {
     const Vector3 force = station_force(fluid, traction, plane);
-    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += force[axis] / fluid.extent().planes;
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += force[axis] / fluid.span().planes();
   }
+  ranks::sum(mean);
   return mean;
 }
 
@@ -103,7 +105,7 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
   const Extent& extent = fluid.extent();
   const Metrics<double>& metrics = fluid.metrics();
   const bool has_span = fluid.span().has_span();
-  const double share = 1.0 / extent.planes, nu = 1 / fluid.parameters().Re;
+  const double share = 1.0 / fluid.span().planes(), nu = 1 / fluid.parameters().Re;
   const Vector3 stream = {fluid.parameters().U, 1, 0};
   FluidBudget budget;
   Field<double> u_x(has_span ? extent : Extent{0, 0, 0}), u_y(extent), u_z(extent);
@@ -138,6 +140,11 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
       }
     }
   }
+  for (double* value :
+       {&budget.kinetic_energy, &budget.dissipation, &budget.wall_power, &budget.outer_power})
+    *value = ranks::sum(*value);
+  ranks::sum(budget.momentum);
+  ranks::sum(budget.outer_force);
   return budget;
 }
 

@@ -12,7 +12,36 @@ namespace {
 
 constexpr double most_steps = 1e9;
 constexpr double most_nodes = 1e6;
+constexpr double most_cells = 1e9;
 constexpr Range node_count{3, 100'000};
+constexpr Range cell_count{6, 10'000};
+
+template <class Order, class Value>
+bool is_list_in(Order out_of_order, const std::vector<Value>& values) {
+  return values.size() >= 2 && std::ranges::adjacent_find(values, out_of_order) == values.end();
+}
+
+template <class About>
+void check(const ConvergenceSettings& convergence, const Settings& settings, const About& about) {
+  if (convergence.n.empty() == convergence.dt.empty()) {
+    about("convergence", "needs either n, to compare grids, or dt, to compare time steps");
+  } else if (convergence.dt.empty()) {
+    if (!settings.flag.equilibrium)
+      about("convergence.n", "compares equilibria; dns.flag.equilibrium = true is missing");
+    if (!is_list_in(std::greater_equal<>(), convergence.n))
+      about("convergence.n", "must list at least two numbers of nodes in increasing order");
+  } else {
+    if (settings.flag.equilibrium)
+      about("convergence.dt",
+            "compares vibrations; dns.flag.equilibrium = true finds a shape at rest instead");
+    if (!is_list_in(std::less_equal<>(), convergence.dt))
+      about("convergence.dt", "must list at least two time steps in decreasing order");
+    if (settings.output.history_interval != 0)
+      about("output.history_interval",
+            fmt::format("= {} leaves steps out; dns.convergence.dt needs every one: 0 is right",
+                        settings.output.history_interval));
+  }
+}
 
 }  // namespace
 
@@ -20,9 +49,68 @@ void declare(Schema& schema, Settings& settings) {
   schema
       .table("dns", "The direct simulation. Without [flow]: the flag by itself (section 3.2).",
              &settings.is_given)
-      .key({"dt", &settings.dt, "time step, in L/V", positive})
+      .key({"dt", &settings.dt, "time step, in L/V; with cfl, the largest", positive})
+      .key({"cfl", &settings.fluid.cfl,
+            "Courant number that the fluid's time step keeps to; left out: the step is dt",
+            Range{1e-3, 1e3}})
+      .key({"first_dt", &settings.fluid.first_dt,
+            "the fluid's first step, from which the steps grow by a fifth to dt", positive, false,
+            "dt"})
       .key({"t_end", &settings.t_end, "end of the run, in L/V", positive})
-      .key({"n_x", &settings.n_x, "spanwise nodes; not used in two dimensions", node_count});
+      .key({"n_x", &settings.n_x,
+            "spanwise nodes, and Fourier points of the fluid; not used in two dimensions",
+            node_count})
+      .key(
+          {"n_rho", &settings.fluid.n_rho, "cells from the flag to the outer boundary", cell_count})
+      .key(
+          {"n_theta", &settings.fluid.n_theta, "cells around the flag, an even number", cell_count})
+      .key({"R", &settings.fluid.R, "radius of the outer boundary, in L", Range{1, 1e4}})
+      .key({"wall_spacing", &settings.fluid.wall_spacing,
+            "of rho at the flag: the first cell is wall_spacing sin(theta)/2 thick, in L",
+            Range{1e-6, 1}})
+      .key({"wake_clustering", &settings.fluid.wake_clustering,
+            "b of theta = t - b sin t: cells are denser toward the wake", Range{0, 0.9}});
+  schema.table("dns.fluid", "How the fluid's equations are discretised and solved.")
+      .key(
+          {"convection",
+           choice(settings.fluid.convection, {"kawamura_kuwahara", "third_order", "central"}),
+           "differences of the convective term: third-order upwind-biased with three times or once "
+           "the least dissipation, or second-order central"})
+      .key({"pressure_tolerance", &settings.fluid.pressure_tolerance,
+            "error that a step leaves in the pressure, root mean square, in rho_f V^2",
+            Range{1e-14, 1}})
+      .key({"velocity_tolerance", &settings.fluid.velocity_tolerance,
+            "the same of the velocity, in V", Range{1e-14, 1}})
+      .key({"grid_tolerance", &settings.fluid.grid_tolerance,
+            "last change of a corner of the grid, in L", Range{1e-14, 1e-2}});
+  MotionSettings& motion = settings.motion;
+  schema
+      .table("dns.motion",
+             "A flag in the flow that moves as prescribed: heave z = A sin(omega t + phase), pitch "
+             "by that angle, wave z = A sin(k_y y - omega t + phase), mode z = A sin(omega t + "
+             "phase) times a normal mode; times cos(2 pi waves x/gamma).",
+             &motion.is_given)
+      .key({"kind", choice(motion.kind, {"rigid", "heave", "pitch", "wave", "mode"}),
+            "what it does"})
+      .key({"amplitude", &motion.amplitude, "A, in L; of pitch in radians", any_sign})
+      .key({"frequency", &motion.frequency, "omega/(2 pi), in V/L", not_negative})
+      .key({"phase", &motion.phase, "in radians", any_sign})
+      .key({"k_y", &motion.k_y, "wavenumber of the wave, in 1/L", any_sign})
+      .key({"envelope", choice(motion.envelope, {"uniform", "linear"}),
+            "of the wave along the chord: 1 or y"})
+      .key({"axis", &motion.axis, "y of the axis of pitch, in L", any_sign})
+      .key({"waves", &motion.waves, "waves along the span", Range{0, 1e4}})
+      .key({"ramp", &motion.ramp, "time over which the amplitude rises from 0, in L/V",
+            not_negative})
+      .key({"n", &motion.n, "waves along the span of the mode, of the family of [modes.normal]",
+            Range{0, 200}})
+      .key({"m", &motion.m, "rank along the chord of the mode", Range{1, 200}});
+  schema
+      .table("dns.probes",
+             "Places (y, z) where the fluid's velocity and pressure are kept with the history, in "
+             "every plane along the span: y[0] with z[0], and so on.")
+      .key({"y", &settings.probes.y, "in L", any_sign})
+      .key({"z", &settings.probes.z, "in L", any_sign});
   FlagSettings& flag = settings.flag;
   schema.table("dns.flag", "The flag by itself: its nodes, its other edges, its time steps.")
       .key({"n_y", &flag.n_y, "chordwise nodes", node_count})
@@ -54,12 +142,22 @@ void declare(Schema& schema, Settings& settings) {
       .key({"B", &settings.initial.B, "amplitudes of the sines in (5.1), n = 0, 1, ..., in L"})
       .key({"angle", &settings.initial.angle,
             "of the straight flag about its leading edge, in radians",
-            Range{-std::numbers::pi, std::numbers::pi}});
+            Range{-std::numbers::pi, std::numbers::pi}})
+      .key({"plate_mode", &settings.initial.plate_mode,
+            "amplitude of sin(pi x/gamma) sin(pi y), the first mode of a plate supported along all "
+            "edges, in L"});
   schema.table("dns.output", "What is kept, and how often.")
       .key({"history_interval", &settings.output.history_interval,
             "between rows of the history, in L/V; 0: every step", not_negative})
       .key({"shape_interval", &settings.output.shape_interval,
             "between shapes of the flag, in L/V; 0: none", not_negative})
+      .key({"field_interval", &settings.output.field_interval,
+            "between fields of the fluid, in L/V; 0: none", not_negative})
+      .key({"contour_times", &settings.output.contour_times,
+            "times at which the strain is drawn on the flag, in L/V: of the kept shapes the "
+            "nearest; "
+            "none: on six at equal intervals",
+            not_negative})
       .key({"checkpoint_interval", &settings.output.checkpoint_interval,
             "between checkpoints, in L/V; 0: at the end only", not_negative})
       .key({"probe_x", &settings.output.probe_x,
@@ -67,18 +165,67 @@ void declare(Schema& schema, Settings& settings) {
       .key({"probe_y", &settings.output.probe_y, "y at rest of that place", Range{0, 1}});
   schema
       .table("dns.convergence",
-             "The equilibrium on several grids, n x n nodes: the error of the probe's z.",
+             "One flag refined: its equilibrium on several grids of n x n nodes, and the error of "
+             "the probe's z; or its vibration with several time steps dt, and the error of the "
+             "probe's frequency.",
              &settings.convergence.is_given)
-      .key({"n", &settings.convergence.n, "nodes along each side, for each grid", node_count, true})
-      .key({"reference", &settings.convergence.reference, "exact z of the probe, in L", any_sign,
-            false, "extrapolated from the last two grids"});
+      .key({"n", &settings.convergence.n, "nodes along each side, for each grid", node_count})
+      .key({"dt", &settings.convergence.dt, "time steps, in L/V, instead of n", positive})
+      .key({"reference", &settings.convergence.reference,
+            "exact z of the probe, in L, or its exact angular frequency, in V/L", any_sign, false,
+            "extrapolated from the last two"});
 }
 
-void check(const Settings& settings, const FlagParameters& flag, Faults& faults) {
+namespace {
+
+void check_fluid(const Settings& settings, const FlagParameters& flag, Faults& faults) {
+  const auto about = [&](const std::string& key, const std::string& what) {
+    faults.about("dns." + key, "dns." + key + " " + what);
+  };
+  const FluidSettings& fluid = settings.fluid;
+  if (fluid.n_theta % 2 != 0)
+    about("n_theta", fmt::format("= {} is odd: the edges of the flag must lie on corners of cells; "
+                                 "take {} or {}",
+                                 fluid.n_theta, fluid.n_theta - 1, fluid.n_theta + 1));
+  constexpr std::int64_t least_planes = 4;
+  if (flag.gamma && settings.n_x < least_planes)
+    about("n_x", fmt::format("= {} is too few: the fluid's Fourier series along the span has at "
+                             "least {} points",
+                             settings.n_x, least_planes));
+  const double cells = static_cast<double>(fluid.n_rho) * static_cast<double>(fluid.n_theta) *
+                       (flag.gamma ? static_cast<double>(settings.n_x) : 1.0);
+  if (cells > most_cells)
+    about("n_rho", fmt::format("= {} makes {:.3g} cells with n_theta and n_x; a grid has at most "
+                               "{:.0e}",
+                               fluid.n_rho, cells, most_cells));
+  if (fluid.first_dt && *fluid.first_dt > settings.dt)
+    about("first_dt", fmt::format("= {} is larger than dns.dt = {}", *fluid.first_dt, settings.dt));
+  if (settings.probes.y.size() != settings.probes.z.size())
+    about("probes.z", fmt::format("has {} numbers and dns.probes.y has {}; each probe has one of "
+                                  "each",
+                                  settings.probes.z.size(), settings.probes.y.size()));
+  for (std::size_t k = 0; k < std::min(settings.probes.y.size(), settings.probes.z.size()); ++k)
+    if (std::hypot(settings.probes.y[k] - 0.5, settings.probes.z[k]) >= fluid.R)
+      about("probes.y", fmt::format("[{}] lies outside the outer boundary, at the distance dns.R = "
+                                    "{} from mid-chord",
+                                    k, fluid.R));
+  if (settings.motion.is_given && settings.motion.kind != MotionKind::rigid &&
+      settings.motion.waves > 0 && !flag.gamma)
+    about("motion.waves", "varies along the span, but without flag.gamma there is none");
+  if (flag.gamma && 3 * settings.motion.waves >= settings.n_x)
+    about("motion.waves", fmt::format("= {} needs dns.n_x of at least {}: the upper third of the "
+                                      "Fourier series is dropped",
+                                      settings.motion.waves, 3 * settings.motion.waves + 1));
+}
+
+}  // namespace
+
+void check(const Settings& settings, const FlagParameters& flag, bool has_flow, Faults& faults) {
   if (!settings.is_given) return;
   const auto about = [&](const std::string& key, const std::string& what) {
     faults.about("dns." + key, "dns." + key + " " + what);
   };
+  if (has_flow) check_fluid(settings, flag, faults);
   if (!settings.flag.equilibrium && settings.t_end / settings.dt > most_steps)
     about("dt", fmt::format("= {} makes {:.3g} steps to t_end = {}; a run has at most {:.0e}",
                             settings.dt, settings.t_end / settings.dt, settings.t_end, most_steps));
@@ -102,14 +249,18 @@ void check(const Settings& settings, const FlagParameters& flag, Faults& faults)
   }
   if (settings.initial.angle != 0 && (!settings.initial.A.empty() || !settings.initial.B.empty()))
     about("initial.angle", "contradicts dns.initial.A or B: the flag starts straight or as (5.1)");
-  if (settings.convergence.is_given) {
-    if (!settings.flag.equilibrium)
-      about("convergence", "compares equilibria; dns.flag.equilibrium = true is missing");
-    if (settings.convergence.n.size() < 2 ||
-        std::ranges::adjacent_find(settings.convergence.n, std::greater_equal<>()) !=
-            settings.convergence.n.end())
-      about("convergence.n", "must list at least two numbers of nodes in increasing order");
+  if (settings.initial.plate_mode != 0) {
+    if (!settings.initial.A.empty() || !settings.initial.B.empty() || settings.initial.angle != 0)
+      about("initial.plate_mode",
+            "contradicts dns.initial.A, B or angle: the plate starts as one of "
+            "them");
+    if (!flag.gamma || flag.leading_edge != LeadingEdge::pinned ||
+        settings.flag.trailing_edge != Edge::pinned || settings.flag.side_edges != Edge::pinned)
+      about("initial.plate_mode",
+            "is the mode of a plate supported along all edges: it needs flag.gamma, and "
+            "flag.leading_edge, dns.flag.trailing_edge and dns.flag.side_edges = \"pinned\"");
   }
+  if (settings.convergence.is_given) check(settings.convergence, settings, about);
   if (settings.flag.equilibrium && flag.K_B == 0)
     about("flag.equilibrium",
           "= true needs bending: without flag.K_B a slack flag has no stiffness across; let it "

@@ -1,9 +1,10 @@
 /// What a case asks of the direct simulation: the tables [dns], [dns.flag], [dns.loads],
-/// [dns.initial], [dns.output] and [dns.convergence].
+/// [dns.initial], [dns.fluid], [dns.motion], [dns.probes], [dns.output] and [dns.convergence].
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,19 +43,62 @@ struct LoadSettings {
 struct InitialSettings {
   std::vector<double> A, B;  ///< of (5.1)
   double angle = 0;          ///< of the straight flag about its leading edge, radians
+  double plate_mode = 0;     ///< amplitude of sin(pi x/gamma) sin(pi y)
 };
 
 struct ConvergenceSettings {
   bool is_given = false;
   std::vector<std::int64_t> n;      ///< nodes along each side
-  std::optional<double> reference;  ///< exact z of the probe
+  std::vector<double> dt;           ///< or time steps
+  std::optional<double> reference;  ///< exact z of the probe, or its exact angular frequency
+};
+
+enum class MotionKind { rigid, heave, pitch, wave, mode };
+enum class Envelope { uniform, linear };
+
+/// How the flag moves whatever the fluid does: see dns/prescribed_motion.hpp.
+struct MotionSettings {
+  bool is_given = false;
+  MotionKind kind = MotionKind::rigid;
+  double amplitude = 0;  ///< A, in L or radians
+  double frequency = 1;  ///< omega/(2 pi), in V/L
+  double phase = 0;
+  double k_y = 2 * std::numbers::pi;
+  Envelope envelope = Envelope::linear;
+  double axis = 0;            ///< y of the axis of pitch
+  std::int64_t waves = 0;     ///< along the span
+  double ramp = 0;            ///< time over which the amplitude rises
+  std::int64_t n = 0, m = 1;  ///< of the mode: waves along the span, rank along the chord
+};
+
+enum class Convection { kawamura_kuwahara, third_order, central };
+
+struct FluidSettings {
+  std::int64_t n_rho = 60;
+  std::int64_t n_theta = 120;
+  double R = 8;
+  double wall_spacing = 0.012;
+  double wake_clustering = 0;
+  std::optional<double> cfl;
+  std::optional<double> first_dt;
+  Convection convection = Convection::kawamura_kuwahara;
+  double pressure_tolerance = 1e-6;
+  double velocity_tolerance = 1e-7;
+  double grid_tolerance = 1e-6;
+};
+
+/// Places of the section where the fluid's velocity and pressure are kept, in every plane.
+struct ProbeSettings {
+  std::vector<double> y, z;
 };
 
 struct OutputSettings {
-  double history_interval = 0;      ///< 0: every step
-  double shape_interval = 0;        ///< 0: none
-  double checkpoint_interval = 0;   ///< 0: at the end only
-  double probe_x = 0, probe_y = 1;  ///< at rest: the nearest node's motion is kept
+  double history_interval = 0;        ///< 0: every step
+  double shape_interval = 0;          ///< 0: none
+  std::vector<double> contour_times;  ///< of the shapes whose strain is drawn; empty: a few
+  double field_interval = 0;          ///< 0: none
+  double checkpoint_interval = 0;     ///< 0: at the end only
+  double probe_x = 0, probe_y = 1;    ///< at rest: the nearest node's motion is kept
 };
 
 struct Settings {
@@ -62,6 +106,9 @@ struct Settings {
   double dt = 1e-3;
   double t_end = 1;
   std::int64_t n_x = 60;
+  FluidSettings fluid;
+  MotionSettings motion;
+  ProbeSettings probes;
   FlagSettings flag;
   LoadSettings loads;
   InitialSettings initial;
@@ -72,7 +119,7 @@ struct Settings {
 void declare(Schema&, Settings&);
 
 /// The faults between keys.
-void check(const Settings&, const FlagParameters&, Faults&);
+void check(const Settings&, const FlagParameters&, bool has_flow, Faults&);
 
 /// The mesh and material of the case's flag.
 FlagMesh mesh_of(const Settings&, const FlagParameters&);

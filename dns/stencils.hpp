@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <utility>
 
 #include "dns/field.hpp"
 #include "dns/metrics.hpp"
@@ -20,9 +21,11 @@ struct Upwinding {
   double factor = 3;
   bool is_central = false;  ///< second-order central differences instead
 };
+namespace upwinding {
 inline constexpr Upwinding kawamura_kuwahara{3, false};  ///< Kawamura & Kuwahara (1984)
 inline constexpr Upwinding third_order{1, false};        ///< the least that is third-order upwind
 inline constexpr Upwinding central{0, true};
+}  // namespace upwinding
 
 /// |C| by the sign of the real part, so that complex steps pass through.
 template <class Scalar>
@@ -82,50 +85,46 @@ void add_balance(int plane, const Field<Scalar>& across_rho, const Field<Scalar>
 }
 
 /// The balance of gradient_flux() over the cells of a plane, the integral of lap f without its part
-/// along x. Without the wall's flux: nothing passes through the flag.
+/// along x. Without the wall's flux: nothing passes through the flag. Works in
+/// three rows of balance's ghosts.
 template <class Scalar>
 void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
                       const Field<Scalar>* f_xi, bool with_wall_flux, Field<Scalar>& balance) {
   const int n_rho = f.extent().n_rho, n_theta = f.extent().n_theta;
-  for (int j = 0; j <= n_rho; ++j) {
+  const auto flux_across_rho = [&](int j, Scalar* flux) {
     const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j);
     const Scalar* along = metrics.rho_faces.along.row(plane, j);
     const Scalar* across = metrics.rho_faces.across.row(plane, j);
-    const Scalar* area_x = f_xi ? metrics.rho_faces.area_x.row(plane, j) : nullptr;
-    Scalar* inside = j > 0 ? balance.row(plane, j - 1) : nullptr;
-    Scalar* outside = j < n_rho ? balance.row(plane, j) : nullptr;
-    if (j == 0 && !with_wall_flux) {
-      std::fill_n(outside, n_theta, Scalar(0));
-      continue;
-    }
-    Scalar* flux = balance.row(plane, n_rho + 1);  // a row of ghosts to work in
     for (int i = 0; i < n_theta; ++i)
       flux[i] = along[i] * (here[i] - below[i]) +
                 across[i] * 0.25 * (here[i + 1] - here[i - 1] + below[i + 1] - below[i - 1]);
-    if (f_xi) {
-      const Scalar *xi_below = f_xi->row(plane, j - 1), *xi_here = f_xi->row(plane, j);
-      for (int i = 0; i < n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi_below[i] + xi_here[i]);
-    }
-    if (inside)
-      for (int i = 0; i < n_theta; ++i) inside[i] += flux[i];
-    if (outside)
-      for (int i = 0; i < n_theta; ++i) outside[i] = -flux[i];
-  }
+    if (!f_xi) return;
+    const Scalar *xi_below = f_xi->row(plane, j - 1), *xi_here = f_xi->row(plane, j);
+    const Scalar* area_x = metrics.rho_faces.area_x.row(plane, j);
+    for (int i = 0; i < n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi_below[i] + xi_here[i]);
+  };
+  Scalar *inward = balance.row(plane, n_rho), *outward = balance.row(plane, -1);
+  if (with_wall_flux)
+    flux_across_rho(0, inward);
+  else
+    std::fill_n(inward, n_theta, Scalar(0));
   for (int j = 0; j < n_rho; ++j) {
+    flux_across_rho(j + 1, outward);
     const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j),
                  *above = f.row(plane, j + 1);
     const Scalar* along = metrics.theta_faces.along.row(plane, j);
     const Scalar* across = metrics.theta_faces.across.row(plane, j);
-    Scalar* flux = balance.row(plane, n_rho + 1);
+    Scalar* theta = balance.row(plane, -2);
     for (int i = 0; i <= n_theta; ++i)
-      flux[i] = along[i] * (here[i] - here[i - 1]) +
-                across[i] * 0.25 * (above[i] + above[i - 1] - below[i] - below[i - 1]);
+      theta[i] = along[i] * (here[i] - here[i - 1]) +
+                 across[i] * 0.25 * (above[i] + above[i - 1] - below[i] - below[i - 1]);
     if (f_xi) {
       const Scalar *xi = f_xi->row(plane, j), *area_x = metrics.theta_faces.area_x.row(plane, j);
-      for (int i = 0; i <= n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi[i] + xi[i - 1]);
+      for (int i = 0; i <= n_theta; ++i) theta[i] += area_x[i] * 0.5 * (xi[i] + xi[i - 1]);
     }
     Scalar* out = balance.row(plane, j);
-    for (int i = 0; i < n_theta; ++i) out[i] += flux[i + 1] - flux[i];
+    for (int i = 0; i < n_theta; ++i) out[i] = outward[i] - inward[i] + theta[i + 1] - theta[i];
+    std::swap(inward, outward);
   }
 }
 
@@ -164,8 +163,8 @@ void gradient(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
 /// C_s f_s + C_t f_t at the cells of a plane: f carried by the velocity (C_s, C_t) in cells per
 /// time.
 template <class Scalar>
-void add_convection(int plane, const Field<Scalar>& C_s, const Field<Scalar>& C_t,
-                    const Field<Scalar>& f, const Upwinding& upwinding, Field<Scalar>& result) {
+void convection(int plane, const Field<Scalar>& C_s, const Field<Scalar>& C_t,
+                const Field<Scalar>& f, const Upwinding& upwinding, Field<Scalar>& result) {
   const int n_rho = f.extent().n_rho, n_theta = f.extent().n_theta;
   // Weights of the differences over two and four cells, and of the fourth difference.
   const double near = upwinding.is_central ? 0.5 : 8.0 / 12;
@@ -178,11 +177,11 @@ void add_convection(int plane, const Field<Scalar>& C_s, const Field<Scalar>& C_
     Scalar* out = result.row(plane, j);
     for (int i = 0; i < n_theta; ++i) {
       const Scalar centre = 6.0 * f2[i];
-      out[i] += s[i] * (near * (f3[i] - f1[i]) + far * (f4[i] - f0[i])) +
-                magnitude(s[i]) * fourth * (f0[i] - 4.0 * (f1[i] + f3[i]) + centre + f4[i]) +
-                t[i] * (near * (f2[i + 1] - f2[i - 1]) + far * (f2[i + 2] - f2[i - 2])) +
-                magnitude(t[i]) * fourth *
-                    (f2[i - 2] - 4.0 * (f2[i - 1] + f2[i + 1]) + centre + f2[i + 2]);
+      out[i] = s[i] * (near * (f3[i] - f1[i]) + far * (f4[i] - f0[i])) +
+               magnitude(s[i]) * fourth * (f0[i] - 4.0 * (f1[i] + f3[i]) + centre + f4[i]) +
+               t[i] * (near * (f2[i + 1] - f2[i - 1]) + far * (f2[i + 2] - f2[i - 2])) +
+               magnitude(t[i]) * fourth *
+                   (f2[i - 2] - 4.0 * (f2[i - 1] + f2[i + 1]) + centre + f2[i + 2]);
     }
   }
 }

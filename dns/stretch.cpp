@@ -247,6 +247,27 @@ double Stretch<dim>::dissipated(const NodeVectors<dim>& start, const NodeVectors
 }
 
 template <int dim>
+Eigen::Matrix3Xd Stretch<dim>::strains(const NodeVectors<dim>& x) const {
+  Eigen::Matrix3Xd strains;
+  if constexpr (dim == 2) {
+    strains.setZero(3, static_cast<Eigen::Index>(segments_.size()));
+    for (std::size_t n = 0; n < segments_.size(); ++n)
+      strains(0, static_cast<Eigen::Index>(n)) = strain(x, segments_[n]);
+  } else {
+    strains.resize(3, static_cast<Eigen::Index>(cells_.size()));
+    for (std::size_t n = 0; n < cells_.size(); ++n) {
+      const Cell& cell = cells_[n];
+      const auto e = [&](std::size_t k) {
+        return strain(x, segments_[static_cast<std::size_t>(cell.segments[k])]);
+      };
+      strains.col(static_cast<Eigen::Index>(n)) << (e(0) + e(1)) / 2, (e(2) + e(3)) / 2,
+          shear({x, x}, cell).value;
+    }
+  }
+  return strains;
+}
+
+template <int dim>
 std::pair<double, double> Stretch<dim>::strain_range(const NodeVectors<dim>& x) const {
   std::pair<double, double> range = {strain(x, segments_.front()), strain(x, segments_.front())};
   for (const Segment& s : segments_) {

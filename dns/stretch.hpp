@@ -40,6 +40,9 @@ class Stretch {
   /// second order otherwise.
   double dissipated(const NodeVectors<dim>& start, const NodeVectors<dim>& end, double dt) const;
 
+  /// e_1, e_2 and the shear x_1.x_2 of each cell, from the means of its segments; 3 x elements, as
+  /// PressureLoad counts them. In two dimensions e_1 of each segment, and nothing else.
+  Eigen::Matrix3Xd strains(const NodeVectors<dim>& x) const;
   /// The least and greatest strain of all segments.
   std::pair<double, double> strain_range(const NodeVectors<dim>& x) const;
 

@@ -1,10 +1,12 @@
 #include "dns/tangent_matrix.hpp"
 
-#include <umfpack.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <optional>
+
+#include "dns/tangent_matrix_factors.hpp"
 
 extern "C" {
 void dgbtrf_(const int* rows, const int* columns, const int* below, const int* above, double* band,
@@ -12,6 +14,8 @@ void dgbtrf_(const int* rows, const int* columns, const int* below, const int* a
 void dgbtrs_(const char* transposed, const int* order, const int* below, const int* above,
              const int* right_hand_sides, const double* band, const int* leading, const int* pivots,
              double* b, const int* leading_b, int* info, std::size_t);
+void dpbtrf_(const char* triangle, const int* order, const int* below, double* band,
+             const int* leading, int* info, std::size_t);
 }
 
 namespace pennon::dns {
@@ -45,6 +49,7 @@ class TangentMatrix<dim>::Band {
     assert(info >= 0);
     return info == 0;
   }
+  bool factor_if_definite() { return is_definite() && factor(); }
   void solve(Eigen::VectorXd& b) {
     constexpr int one = 1;
     int info = 0;
@@ -54,85 +59,131 @@ class TangentMatrix<dim>::Band {
   }
 
  private:
+  // By the Cholesky factors of the symmetric part; entry (r, c) at row r - c of column c.
+  bool is_definite() {
+    lower_.setZero(width_ + 1, unknowns_);
+    for (int c = 0; c < unknowns_; ++c)
+      for (int r = c; r <= std::min(c + width_, unknowns_ - 1); ++r)
+        lower_(r - c, c) = (entries_(2 * width_ + r - c, c) + entries_(2 * width_ + c - r, r)) / 2;
+    const int leading = width_ + 1;
+    int info = 0;
+    dpbtrf_("L", &unknowns_, &width_, lower_.data(), &leading, &info, 1);
+    assert(info >= 0);
+    return info == 0;
+  }
+
   int unknowns_, width_ = 0, leading_ = 0;
-  Eigen::MatrixXd entries_, factors_;
+  Eigen::MatrixXd entries_, factors_, lower_;
   std::vector<int> pivots_;
 };
 
 // Compressed columns; the rows of a column are those of the coupled nodes, in order.
+//
+// Solved by Cholesky factors of the symmetric part S where that is positive definite: at once if
+// the matrix is symmetric, else by the iteration of Concus & Golub (1976) and Widlund (1978) for
+// A = S + N with N^T = -N, which needs one solution with S a turn and converges whatever N. The
+// turns are few where N is small, as it is for a step that resolves the motion; where they are
+// many, and where S is not definite, LU factors of the matrix take over.
 template <int dim>
 class TangentMatrix<dim>::Sparse {
  public:
-  Sparse(int nodes, const std::vector<std::pair<int, int>>& pairs) : order_(dim * nodes) {
+  Sparse(int nodes, const std::vector<std::pair<int, int>>& pairs)
+      : node_columns_(static_cast<std::size_t>(nodes) + 1, 0) {
     std::vector<std::pair<int, int>> coupled = pairs;
     std::ranges::sort(coupled, {},
                       [](const auto& pair) { return std::pair(pair.second, pair.first); });
-    first_.assign(static_cast<std::size_t>(nodes) + 1, 0);
     for (const auto& [p, q] : coupled) {
-      rows_.push_back(p);
-      ++first_[static_cast<std::size_t>(q) + 1];
+      node_rows_.push_back(p);
+      ++node_columns_[static_cast<std::size_t>(q) + 1];
     }
-    for (std::size_t q = 0; q + 1 < first_.size(); ++q) first_[q + 1] += first_[q];
-    columns_.push_back(0);
+    for (std::size_t q = 0; q + 1 < node_columns_.size(); ++q)
+      node_columns_[q + 1] += node_columns_[q];
+    matrix_.columns.push_back(0);
     for (int q = 0; q < nodes; ++q)
       for (int b = 0; b < dim; ++b) {
         for (int k = first(q); k < first(q + 1); ++k)
-          for (int a = 0; a < dim; ++a) row_indices_.push_back(dim * row(k) + a);
-        columns_.push_back(static_cast<int>(row_indices_.size()));
+          for (int a = 0; a < dim; ++a)
+            matrix_.rows.push_back(dim * node_rows_[static_cast<std::size_t>(k)] + a);
+        matrix_.columns.push_back(static_cast<int>(matrix_.rows.size()));
       }
-    values_.assign(row_indices_.size(), 0);
-    solution_.resize(order_);
-    reals_.resize(order_);
-    integers_.resize(static_cast<std::size_t>(order_));
-    umfpack_di_defaults(control_);
-    control_[UMFPACK_IRSTEP] = 0;  // Newton's method refines by itself
-    umfpack_di_symbolic(order_, order_, columns_.data(), row_indices_.data(), nullptr, &symbolic_,
-                        control_, nullptr);
+    matrix_.values.assign(matrix_.rows.size(), 0);
+    cholesky_.emplace(matrix_);
   }
-  ~Sparse() {
-    umfpack_di_free_symbolic(&symbolic_);
-    umfpack_di_free_numeric(&numeric_);
-  }
-  Sparse(const Sparse&) = delete;
-  Sparse& operator=(const Sparse&) = delete;
 
-  void set_zero() { std::ranges::fill(values_, 0.0); }
+  void set_zero() { std::ranges::fill(matrix_.values, 0.0); }
   double* column(int p, int q, int b) {
-    const auto begin = rows_.begin() + first(q);
-    const auto end = rows_.begin() + first(q + 1);
+    const auto begin = node_rows_.begin() + first(q);
+    const auto end = node_rows_.begin() + first(q + 1);
     const auto found = std::lower_bound(begin, end, p);
     assert(found != end && *found == p);
     const auto first_row = static_cast<std::size_t>(
-        columns_[dim * static_cast<std::size_t>(q) + static_cast<std::size_t>(b)]);
-    return &values_[first_row + dim * static_cast<std::size_t>(found - begin)];
+        matrix_.columns[dim * static_cast<std::size_t>(q) + static_cast<std::size_t>(b)]);
+    return &matrix_.values[first_row + dim * static_cast<std::size_t>(found - begin)];
   }
 
-  bool factor() {
-    umfpack_di_free_numeric(&numeric_);
-    const int status = umfpack_di_numeric(columns_.data(), row_indices_.data(), values_.data(),
-                                          symbolic_, &numeric_, control_, nullptr);
-    return status == UMFPACK_OK;
+  bool factor() { return factor_if_definite() || factor_general(); }
+  bool factor_if_definite() {
+    uses_cholesky_ = cholesky_->factor(matrix_);
+    return uses_cholesky_;
   }
   void solve(Eigen::VectorXd& b) {
-    umfpack_di_wsolve(UMFPACK_A, columns_.data(), row_indices_.data(), values_.data(),
-                      solution_.data(), b.data(), numeric_, control_, nullptr, integers_.data(),
-                      reals_.data());
-    b = solution_;
+    const bool is_solved = uses_cholesky_ && solve_by_cholesky(b);
+    if (!is_solved && uses_cholesky_ && !factor_general())
+      solution_.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
+    else if (!is_solved)
+      lu_->solve(matrix_, b, solution_);
+    b.swap(solution_);
   }
 
  private:
-  int first(int q) const { return first_[static_cast<std::size_t>(q)]; }
-  int row(int k) const { return rows_[static_cast<std::size_t>(k)]; }
+  int first(int q) const { return node_columns_[static_cast<std::size_t>(q)]; }
+  bool factor_general() {
+    if (!lu_) lu_.emplace(matrix_);
+    uses_cholesky_ = false;
+    return lu_->factor(matrix_);
+  }
+  bool solve_by_cholesky(const Eigen::VectorXd& b) {
+    if (!cholesky_->is_exact()) return iterate(b);
+    cholesky_->solve(b, solution_);
+    return true;
+  }
+  // With z = S^-1 (b - A x) and its square z.S z the turns are x_1 = z_0,
+  // x_k+1 = x_k-1 + w (x_k - x_k-1 + z_k), 1/w = 1 + z_k.S z_k/(z_k-1.S z_k-1)/(the last w).
+  // Ends with the turn after which z will be small if it shrinks as badly as in the last two.
+  bool iterate(const Eigen::VectorXd& b) {
+    previous_.setZero(b.size());
+    solution_.setZero(b.size());
+    double w = 1;
+    double first_square = 0;
+    double last_square = 0;
+    double last_ratio = 0;
+    for (int turn = 0; turn < most_turns; ++turn) {
+      matrix_.evaluate_residual(solution_, b, residual_);
+      cholesky_->solve(residual_, correction_);
+      const double square = correction_.dot(residual_);
+      if (square <= 0) return square == 0;
+      if (turn == 0) first_square = last_square = square;
+      const double ratio = square / last_square;
+      if (turn > 0) w = 1 / (1 + ratio / w);
+      previous_ += w * (solution_ - previous_ + correction_);
+      previous_.swap(solution_);
+      const double next_square = square * std::max(ratio, last_ratio);
+      if (turn > 0 && next_square <= solution_error * solution_error * first_square) return true;
+      last_square = square;
+      last_ratio = turn > 0 ? ratio : 0;
+    }
+    return false;
+  }
 
-  int order_;
-  std::vector<int> rows_, first_;           // of nodes
-  std::vector<int> row_indices_, columns_;  // of unknowns
-  std::vector<double> values_;
-  Eigen::VectorXd solution_, reals_;  // and work space
-  std::vector<int> integers_;
-  double control_[UMFPACK_CONTROL];
-  void* symbolic_ = nullptr;
-  void* numeric_ = nullptr;
+  // Beyond as many, factoring anew is cheaper.
+  static constexpr int most_turns = 20;
+
+  std::vector<int> node_rows_, node_columns_;
+  CompressedColumns matrix_;
+  std::optional<CholeskyFactors> cholesky_;
+  std::optional<LuFactors> lu_;  // from the first need
+  bool uses_cholesky_ = false;
+  Eigen::VectorXd solution_, previous_, residual_, correction_;
 };
 
 template <int dim>
@@ -188,6 +239,11 @@ Eigen::SparseMatrix<double> TangentMatrix<dim>::matrix() const {
 template <int dim>
 bool TangentMatrix<dim>::factor() {
   return storage_->factor();
+}
+
+template <int dim>
+bool TangentMatrix<dim>::factor_if_definite() {
+  return storage_->factor_if_definite();
 }
 
 template <int dim>

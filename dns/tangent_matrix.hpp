@@ -3,8 +3,9 @@
 /// it.
 ///
 /// Chordwise nodes alone (dim = 2) make a narrow band, solved by LAPACK; a flag with a span (dim =
-/// 3) a sparse matrix, solved by UMFPACK. Both take any regular matrix: a buckling flag's is not
-/// definite, and that of the discrete gradient not symmetric.
+/// 3) a sparse matrix, solved by CHOLMOD where its symmetric part is positive definite and by
+/// UMFPACK elsewhere. Both take any regular matrix: a buckling flag's is not definite, and those of
+/// the discrete gradient, of damping and of a follower pressure are not symmetric.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,6 +20,8 @@ template <int dim>
 class TangentMatrix {
  public:
   using Block = Eigen::Matrix<double, dim, dim>;
+  /// Newton's method with a tangent of an earlier iteration contracts less, and does not notice.
+  static constexpr double solution_error = 1e-3;
 
   /// `is_held` for each node; `coupled`: ordered pairs of nodes, each once, (p, p) among them.
   TangentMatrix(const std::vector<bool>& is_held, const std::vector<std::pair<int, int>>& coupled);
@@ -36,8 +39,13 @@ class TangentMatrix {
 
   /// Factors what add() gave. False if it is singular to working precision.
   bool factor();
+  /// The same if the symmetric part is positive definite: then the solution of a force does work
+  /// with it. False, and nothing factored, if not.
+  bool factor_if_definite();
   /// Solves for the unknowns in place: dim x nodes, held nodes are left as they are. Precondition:
-  /// the last factor() succeeded.
+  /// the last factoring succeeded. Exact but for rounding where the matrix is symmetric or dim = 2,
+  /// else to about `solution_error` in the norm of the inverse of its symmetric part; NaN if LU
+  /// factors became necessary for that and the matrix is singular.
   void solve(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors);
 
  private:

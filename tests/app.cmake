@@ -1,4 +1,5 @@
-pennon_test(test_app LABEL regression SOURCES regression/app_commands.cpp
-            LINK pennon::common GTest::gmock)
-target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>")
+pennon_test(test_app LABEL regression SOURCES regression/app_commands.cpp regression/app_fluid.cpp
+            LINK pennon::common Boost::headers GTest::gmock)
+target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
+                           PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
 add_dependencies(test_app pennon)

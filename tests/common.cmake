@@ -12,4 +12,5 @@ pennon_test(common_tests LABEL unit
     unit/common_record.cpp
     unit/common_schema.cpp
     unit/common_sweep.cpp
-  LINK pennon::common GTest::gmock util)
+    unit/common_xdmf.cpp
+  LINK pennon::common Boost::headers GTest::gmock util)

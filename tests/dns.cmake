@@ -1,4 +1,5 @@
-pennon_test(test_flag LABEL unit SOURCES unit/flag_forces.cpp LINK pennon::dns)
+pennon_test(test_flag LABEL unit
+            SOURCES unit/flag_forces.cpp unit/flag_frequency.cpp unit/flag_tangent_matrix.cpp LINK pennon::dns)
 # In a program of its own: it takes the place of malloc.
 pennon_test(test_flag_allocations LABEL unit SOURCES unit/flag_allocations.cpp LINK pennon::dns)
 pennon_test(test_flag_validation LABEL verification
@@ -15,3 +16,4 @@ pennon_test(test_fluid_validation LABEL validation
             SOURCES validation/fluid_plate_drag.cpp validation/fluid_theodorsen.cpp
                     validation/fluid_large_grid.cpp
             LINK pennon::dns)
+pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp unit/fluid_parts.cpp LINK pennon::dns)

@@ -1,8 +1,3 @@
-find_package(Boost 1.74 QUIET)
-if(NOT Boost_FOUND)
-  message(FATAL_ERROR "the headers of Boost were not found: install libboost-dev (./test.sh does it)")
-endif()
-
 pennon_test(test_modes LABEL unit
   SOURCES
     unit/modes_bessel_zero.cpp

@@ -1,79 +1,44 @@
 /// The command as a user runs it: exit codes, messages, files, the paper's cases.
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "common/csv.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/commands.hpp"
 #include "tests/support/text_file.hpp"
+#include "tests/support/xdmf_check.hpp"
 
 namespace pennon {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::DoubleEq;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
-const fs::path source = PENNON_SOURCE_DIR;
-const fs::path table_1_cases = source / "data/cases/table1";
+using test::bad_input;
+using test::done;
+using test::not_converged;
+using test::other;
+using test::Outcome;
+using test::source;
+using test::table_1_cases;
 
-constexpr int done = 0, other = 1, bad_input = 2;
-
-// Starts pennon with its output in files; the caller waits for it.
-pid_t start(const std::vector<std::string>& arguments, const fs::path& out, const fs::path& err) {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  for (const auto& [file, descriptor] :
-       {std::pair(out, STDOUT_FILENO), std::pair(err, STDERR_FILENO)})
-    dup2(open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), descriptor);
-  std::vector<char*> argv = {const_cast<char*>(PENNON_EXECUTABLE)};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  execv(PENNON_EXECUTABLE, argv.data());
-  _exit(127);
-}
-
-struct Outcome {
-  int status = -1;  // exit code, or minus the signal
-  std::string out, err;
-};
-
-class Commands : public testing::Test {
- protected:
-  Outcome finish(pid_t child) {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
-            test::read_text(folder_ / "out.txt"), test::read_text(folder_ / "err.txt")};
-  }
-  pid_t start_in_background(const std::vector<std::string>& arguments) {
-    return start(arguments, folder_ / "out.txt", folder_ / "err.txt");
-  }
-  Outcome pennon(const std::vector<std::string>& arguments) {
-    return finish(start_in_background(arguments));
-  }
-  std::string results(const std::string& name = "results") const {
-    return (folder_ / name).string();
-  }
-
-  test::TemporaryFolder folder_;
-};
-
-using Lsa = Commands;
-using Modes = Commands;
-using Dns = Commands;
-using Pennon = Commands;
+using Lsa = test::Commands;
+using Modes = test::Commands;
+using Dns = test::Commands;
+using Pennon = test::Commands;
 
 std::string case_of(const std::string& name) {
   return (table_1_cases / (name + ".toml")).string();
@@ -275,6 +240,77 @@ TEST_F(Dns, RefusesTheCheckpointOfAnotherFlag) {
   EXPECT_THAT(outcome.err, HasSubstr("101 nodes"));
 }
 
+// The discrete frequency is that of the grid's second differences, 4 (N - 1)^2 sin^2(pi/(2 (N -
+// 1))) each way, exactly.
+TEST_F(Dns, FindsTheOrderOfItsStepsByFigure22) {
+  const Outcome outcome =
+      pennon({"dns", (source / "data/cases/flag/figure22.toml").string(), "--set", "dns.n_x=9",
+              "--set", "dns.flag.n_y=9", "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json found = json::parse(outcome.out).at("convergence");
+  EXPECT_EQ(found.at("dt").size(), 4U);
+  EXPECT_GE(found.at("order").get<double>(), 1.95);
+  const double discrete = 8 * 64 * std::pow(std::sin(std::numbers::pi / 16), 2);
+  EXPECT_NEAR(found.at("limit").get<double>() / discrete, 1, 1e-6);
+  for (const char* file : {"convergence.csv", "convergence.h5", "convergence.png", "dt-0.001"})
+    EXPECT_TRUE(fs::exists(results() + "/" + file)) << file;
+}
+
+TEST_F(Dns, FindsTheOrderOfItsGridsByFigure21) {
+  const Outcome outcome =
+      pennon({"dns", (source / "data/cases/flag/figure21.toml").string(), "--set",
+              "dns.convergence.n=[11,15,21]", "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json found = json::parse(outcome.out).at("convergence");
+  EXPECT_EQ(found.at("n"), json({11, 15, 21}));
+  EXPECT_GE(found.at("order").get<double>(), 1.9);
+}
+
+TEST_F(Dns, SaysWhatIsWrongWithAStudyOfConvergence) {
+  const auto fault_of = [&](const std::vector<std::string>& changes) {
+    std::vector<std::string> arguments = {
+        "dns", (source / "data/cases/flag/figure22.toml").string(), "--check"};
+    for (const std::string& change : changes) arguments.insert(arguments.end(), {"--set", change});
+    const Outcome outcome = pennon(arguments);
+    EXPECT_EQ(outcome.status, bad_input) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(fault_of({"dns.convergence.n=[5,9]"}), HasSubstr("either n, to compare grids"));
+  EXPECT_THAT(fault_of({"dns.convergence.dt=[0.01]"}), HasSubstr("at least two time steps"));
+  EXPECT_THAT(fault_of({"dns.convergence.dt=[0.01,0.02]"}), HasSubstr("decreasing order"));
+  EXPECT_THAT(fault_of({"dns.flag.equilibrium=true"}), HasSubstr("compares vibrations"));
+  EXPECT_THAT(fault_of({"dns.output.history_interval=0.1"}), HasSubstr("= 0.1 leaves steps out"));
+  EXPECT_THAT(fault_of({"dns.flag.trailing_edge=free"}),
+              HasSubstr("a plate supported along all edges"));
+  EXPECT_THAT(fault_of({"dns.initial.angle=0.1"}), HasSubstr("contradicts"));
+  const Outcome early =
+      pennon({"dns", (source / "data/cases/flag/figure22.toml").string(), "--set", "dns.t_end=0.1",
+              "--set", "dns.n_x=5", "--set", "dns.flag.n_y=5", "--output", results()});
+  EXPECT_EQ(early.status, not_converged);
+  EXPECT_THAT(early.err, HasSubstr("take a longer t_end"));
+}
+
+TEST_F(Dns, KeepsShapesThatParaViewOpens) {
+  const auto run = [&](const std::string& side_edges, const std::string& folder) {
+    const Outcome outcome =
+        pennon({"dns", (source / "data/cases/flag/swinging_membrane.toml").string(), "--set",
+                "dns.n_x=6", "--set", "dns.flag.n_y=8", "--set", "dns.t_end=0.5", "--set",
+                "dns.flag.side_edges=" + side_edges, "--output", results(folder)});
+    EXPECT_EQ(outcome.status, done) << outcome.err;
+    return test::check_xdmf(results(folder) + "/shapes.xdmf");
+  };
+  for (const char* side_edges : {"free", "periodic"}) {
+    const test::XdmfSummary found = run(side_edges, side_edges);
+    EXPECT_THAT(found.times, ElementsAre(DoubleEq(0), DoubleEq(0.1), DoubleEq(0.2), DoubleEq(0.3),
+                                         DoubleEq(0.4), DoubleEq(0.5)));
+    EXPECT_THAT(found.attributes,
+                ElementsAre("v_x: Scalar at Node", "v_y: Scalar at Node", "v_z: Scalar at Node",
+                            "e_1: Scalar at Cell", "e_2: Scalar at Cell", "shear: Scalar at Cell"));
+    EXPECT_THAT(found.faults, IsEmpty());
+    EXPECT_TRUE(fs::exists(results(side_edges) + "/shapes_strain.png"));
+  }
+}
+
 TEST_F(Dns, SaysThatTheFluidIsToCome) {
   const Outcome outcome = pennon({"dns", case_of("C2D")});
   EXPECT_EQ(outcome.status, bad_input);
@@ -285,7 +321,8 @@ TEST_F(Pennon, ChecksEveryCaseInTheProject) {
   for (const auto& entry : fs::recursive_directory_iterator(source / "data/cases")) {
     if (entry.path().extension() != ".toml") continue;
     const std::string folder = entry.path().parent_path().filename().string();
-    const std::string command = folder == "modes" ? "modes" : folder == "flag" ? "dns" : "lsa";
+    const bool is_simulated = folder == "flag" || folder == "fluid";
+    const std::string command = folder == "modes" ? "modes" : is_simulated ? "dns" : "lsa";
     const Outcome outcome = pennon({command, entry.path().string(), "--check"});
     EXPECT_EQ(outcome.status, done) << entry.path() << outcome.err;
   }

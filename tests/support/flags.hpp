@@ -27,8 +27,7 @@ NodeVectors<dim> noise(const Flag<dim>& flag, double size, unsigned seed) {
 
 template <int dim>
 NodeVectors<dim> at_free_nodes(const Flag<dim>& flag, NodeVectors<dim> vectors) {
-  for (int node = 0; node < flag.mesh().nodes(); ++node)
-    if (flag.is_held()[static_cast<std::size_t>(node)]) vectors.col(node).setZero();
+  flag.clear_held(vectors);
   return vectors;
 }
 

@@ -12,6 +12,7 @@
 #include "analysis/gnuplot.hpp"
 #include "common/errors.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/failure.hpp"
 #include "tests/support/small_disk.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text_file.hpp"
@@ -19,6 +20,7 @@
 namespace pennon::analysis {
 namespace {
 
+using test::failure_of;
 using test::in_child;
 using test::read_text;
 using test::TemporaryFolder;
@@ -50,15 +52,6 @@ void expect_whole(const std::vector<std::filesystem::path>& files) {
   ASSERT_EQ(files.size(), 2U);
   EXPECT_THAT(read_text(files[0]), StartsWith("\x89PNG\r\n"));
   EXPECT_THAT(read_text(files[1]), AllOf(StartsWith("<?xml"), EndsWith("</svg>\n\n")));
-}
-
-std::string failure_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(Figure, IsDrawnAsPngAndSvg) {
@@ -182,7 +175,7 @@ TEST(Figure, TakesAnyFileName) {
 }
 
 TEST(Figure, FailsInWordsWhereTheFolderIsNotThere) {
-  EXPECT_THAT(failure_of([] { draw(small_figure(), "/absent/folder/figure"); }),
+  EXPECT_THAT(failure_of<FileError>([] { draw(small_figure(), "/absent/folder/figure"); }),
               HasSubstr("No such file or directory"));
 }
 
@@ -190,7 +183,7 @@ TEST(Figure, FailsInWordsAndLeavesNothingOnAFullDisk) {
   const TemporaryFolder folder;
   const test::ChildEnd end = in_child([&] {
     test::have_small_disk(folder.path(), 8 << 10);
-    if (failure_of([&] { draw(small_figure(), folder / "figure"); }).empty()) return 1;
+    if (failure_of<FileError>([&] { draw(small_figure(), folder / "figure"); }).empty()) return 1;
     return folder.names().empty() ? 0 : 2;
   });
   EXPECT_EQ(end.status, 0);
@@ -198,7 +191,7 @@ TEST(Figure, FailsInWordsAndLeavesNothingOnAFullDisk) {
 
 TEST(Gnuplot, FailsInItsOwnWords) {
   const TemporaryFolder folder;
-  EXPECT_THAT(failure_of([&] { run_gnuplot("nonsense\n", folder / "figure.png", ""); }),
+  EXPECT_THAT(failure_of<FileError>([&] { run_gnuplot("nonsense\n", folder / "figure.png", ""); }),
               AllOf(HasSubstr("figure.png"), HasSubstr("invalid command")));
   EXPECT_THAT(folder.names(), IsEmpty());
 }
@@ -207,7 +200,8 @@ TEST(Gnuplot, IsNamedWhereItIsMissing) {
   const TemporaryFolder folder;
   const test::ChildEnd end = in_child([&] {
     setenv("PATH", folder.path().c_str(), 1);
-    const std::string what = failure_of([&] { draw(small_figure(), folder / "figure"); });
+    const std::string what =
+        failure_of<FileError>([&] { draw(small_figure(), folder / "figure"); });
     return what.find("install gnuplot-nox") != std::string::npos ? 0 : 1;
   });
   EXPECT_EQ(end.status, 0);

@@ -10,6 +10,7 @@
 
 #include "common/errors.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/failure.hpp"
 #include "tests/support/small_disk.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text_file.hpp"
@@ -21,15 +22,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-std::string failure_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 TEST(AtomicFile, HasItsFinalNameOnlyWhenFinished) {
   const TemporaryFolder folder;
@@ -67,13 +59,13 @@ TEST(AtomicFile, KeepsTheLastWholeFileWhereItsWriterIsKilled) {
 
 TEST(AtomicFile, SaysWhatTheSystemSaid) {
   const TemporaryFolder folder;
-  EXPECT_THAT(failure_of([&] { write_file(folder / "absent" / "f", "x"); }),
+  EXPECT_THAT(failure_of<FileError>([&] { write_file(folder / "absent" / "f", "x"); }),
               AllOf(HasSubstr("cannot be written"), HasSubstr("No such file or directory")));
   write_file(folder / "file", "x");
-  EXPECT_THAT(failure_of([&] { write_file(folder / "file" / "f", "x"); }),
+  EXPECT_THAT(failure_of<FileError>([&] { write_file(folder / "file" / "f", "x"); }),
               HasSubstr("Not a directory"));
   std::filesystem::create_directory(folder / "taken");
-  EXPECT_THAT(failure_of([&] { write_file(folder / "taken", "x"); }),
+  EXPECT_THAT(failure_of<FileError>([&] { write_file(folder / "taken", "x"); }),
               AllOf(HasSubstr("taken cannot be written"), HasSubstr("Is a directory")));
   EXPECT_THAT(folder.names(), ElementsAre("file", "taken"));
 }
@@ -84,7 +76,7 @@ TEST(AtomicFile, LeavesTheLastWholeFileOnAFullDisk) {
     have_small_disk(folder.path(), 64 << 10);
     write_file(folder / "result", "the last one");
     const std::string what =
-        failure_of([&] { write_file(folder / "result", std::string(1 << 20, 'x')); });
+        failure_of<FileError>([&] { write_file(folder / "result", std::string(1 << 20, 'x')); });
     if (what.find("No space left") == std::string::npos &&
         what.find("File too large") == std::string::npos)
       return 1;

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "common/errors.hpp"
+#include "tests/support/failure.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text_file.hpp"
 
@@ -23,15 +24,6 @@ class Csv : public ::testing::Test {
  protected:
   CsvTable table(const std::string& text) {
     return CsvTable(write_text(folder_ / "table.csv", text));
-  }
-  template <class Work>
-  static std::string failure_of(Work work) {
-    try {
-      work();
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
   }
   TemporaryFolder folder_;
 };
@@ -47,21 +39,22 @@ TEST_F(Csv, ReadsCellsByColumnAndSkipsCommentsAndEmptyLines) {
 }
 
 TEST_F(Csv, SaysWhichLineIsAtFault) {
-  EXPECT_THAT(failure_of([&] { table("a,b\n1,2\n1,2,3\n"); }),
+  EXPECT_THAT(failure_of<InputError>([&] { table("a,b\n1,2\n1,2,3\n"); }),
               HasSubstr("table.csv:3: has 3 cells, but the header names 2 columns"));
   const CsvTable read = table("a,b\nx,nan\n1e999,1\n");
-  EXPECT_THAT(failure_of([&] { (void)read.number(0, 0); }),
+  EXPECT_THAT(failure_of<InputError>([&] { (void)read.number(0, 0); }),
               HasSubstr("table.csv:2: a must be a finite number, but is \"x\""));
-  EXPECT_NE(failure_of([&] { (void)read.number(0, 1); }), "");
-  EXPECT_NE(failure_of([&] { (void)read.number(1, 0); }), "");
-  EXPECT_THAT(failure_of([&] { (void)read.column("c"); }),
+  EXPECT_NE(failure_of<InputError>([&] { (void)read.number(0, 1); }), "");
+  EXPECT_NE(failure_of<InputError>([&] { (void)read.number(1, 0); }), "");
+  EXPECT_THAT(failure_of<InputError>([&] { (void)read.column("c"); }),
               HasSubstr("has no column c; its columns are a, b"));
 }
 
 TEST_F(Csv, SaysWhyThereIsNoTable) {
-  EXPECT_THAT(failure_of([&] { CsvTable(folder_ / "absent.csv"); }), HasSubstr("no such file"));
-  EXPECT_THAT(failure_of([&] { CsvTable(folder_.path()); }), HasSubstr("no such file"));
-  EXPECT_THAT(failure_of([&] { table("# nothing\n\n"); }), HasSubstr("is empty"));
+  EXPECT_THAT(failure_of<InputError>([&] { CsvTable(folder_ / "absent.csv"); }),
+              HasSubstr("no such file"));
+  EXPECT_THAT(failure_of<InputError>([&] { CsvTable(folder_.path()); }), HasSubstr("no such file"));
+  EXPECT_THAT(failure_of<InputError>([&] { table("# nothing\n\n"); }), HasSubstr("is empty"));
 }
 
 TEST_F(Csv, WritesNumbersThatReadBackToTheSameBits) {

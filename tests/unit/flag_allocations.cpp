@@ -38,7 +38,7 @@ std::size_t allocations_of_a_step(const FlagMesh& mesh, TimeScheme scheme, doubl
   for (int warm_up = 0; warm_up < 4; ++warm_up) stepper.advance(state, loads, 1e-3);
   const std::size_t before = calls;
   const StepSummary summary = stepper.advance(state, loads, 1e-3);
-  // UMFPACK allocates its factors anew; a step that keeps the tangent must not.
+  // SuiteSparse asks for memory while it factors; a step that keeps the tangent must not.
   EXPECT_TRUE(dim == 2 || summary.factorisations == 0);
   return calls - before;
 }

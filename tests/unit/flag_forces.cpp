@@ -159,6 +159,25 @@ TEST(StressedFlag, KeepsItsEnergyUnderRigidMotion) {
             roundoff * flag.forces({x, x}, {}).norm());
 }
 
+// x_1 and x_2 are constant: the strains are those of the gradient everywhere.
+TEST(StretchedFlag, HasTheStrainsOfItsDeformation) {
+  Eigen::Matrix3d gradient;
+  gradient << 1.1, 0.2, 0, 0.1, 0.9, 0, 0.3, -0.4, 1;
+  const Flag<3> flag(spanned(span_edges[3]), soft);
+  const Eigen::Matrix3Xd strains = flag.stretch().strains(gradient * flag.rest());
+  ASSERT_EQ(strains.cols(), flag.elements());
+  const Eigen::Vector3d along_span = gradient.col(0);
+  const Eigen::Vector3d along_chord = gradient.col(1);
+  const Eigen::Vector3d expected{along_chord.norm() - 1, along_span.norm() - 1,
+                                 along_chord.dot(along_span)};
+  EXPECT_LT((strains.colwise() - expected).cwiseAbs().maxCoeff(), roundoff);
+
+  const Flag<2> line(flat({Edge::pinned, Edge::free}), soft);
+  const Eigen::Matrix3Xd along = line.stretch().strains(1.25 * line.rest());
+  ASSERT_EQ(along.cols(), line.elements());
+  EXPECT_LT((along.colwise() - Eigen::Vector3d{0.25, 0, 0}).cwiseAbs().maxCoeff(), roundoff);
+}
+
 TEST(FlagAtRest, HasNoEnergyAndNoForce) {
   for (const EdgeConditions& edges : span_edges) {
     const Flag<3> flag(spanned(edges), soft);

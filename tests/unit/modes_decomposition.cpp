@@ -8,32 +8,19 @@
 #include <random>
 
 #include "common/errors.hpp"
-#include "modes/bessel.hpp"
 #include "modes/gauss_legendre.hpp"
-#include "modes/hanging_chain.hpp"
-#include "modes/in_vacuo.hpp"
+#include "tests/support/mode_families.hpp"
 
 namespace pennon::modes {
 namespace {
 
+using test::families;
+using test::flag;
+using test::flow;
 using ::testing::HasSubstr;
 
 // Of sums of some ten thousand terms of the order of 1.
 constexpr double roundoff = 1e-12;
-
-FlagParameters flag() {
-  FlagParameters flag;
-  flag.mu = 0.125;
-  flag.K_B = 1e-4;
-  flag.gamma = 2;
-  return flag;
-}
-const FlowParameters flow{1000, 0};
-
-std::vector<NormalModes> families(const ModeRange& range) {
-  return {bessel_modes(range, flag(), flow), hanging_chain_modes(range, flag(), flow),
-          in_vacuo_modes(range, flag(), flow, TensionProfile::blasius, 80)};
-}
 
 std::vector<Amplitude> some_amplitudes(const NormalModes& family) {
   std::mt19937 random(1);
@@ -73,7 +60,7 @@ void expect_equal(const std::vector<Amplitude>& found, const std::vector<Amplitu
 }
 
 TEST(Decomposition, OfASumOfModesGivesItsAmplitudesAndLeavesNothing) {
-  for (const NormalModes& family : families({{0, 1, 3}, 4})) {
+  for (const NormalModes& family : families({{0, 1, 3}, 4}, 80)) {
     const std::vector<Amplitude> amplitudes = some_amplitudes(family);
     const Decomposition result = decompose(family, sum_of(family, amplitudes));
     expect_equal(result.amplitudes, amplitudes, roundoff);
@@ -83,7 +70,7 @@ TEST(Decomposition, OfASumOfModesGivesItsAmplitudesAndLeavesNothing) {
 }
 
 TEST(Decomposition, OfSamplesOfASumGivesTheSameAmplitudes) {
-  for (const NormalModes& family : families({{0, 1, 3}, 4})) {
+  for (const NormalModes& family : families({{0, 1, 3}, 4}, 80)) {
     const std::vector<Amplitude> amplitudes = some_amplitudes(family);
     const std::vector<Sample> samples = scattered(sum_of(family, amplitudes), 300);
     const Decomposition result = decompose(family, samples, "samples");
@@ -98,7 +85,7 @@ TEST(Decomposition, OfSamplesOfASumGivesTheSameAmplitudes) {
 TEST(Decomposition, KeepsTheSumOfSquares) {
   // Parseval: the mean over the span of the integral of w zeta^2 is the sum of norm^2 A^2 for n = 0
   // and of norm^2 (A^2 + B^2)/2 for n > 0.
-  for (const NormalModes& family : families({{0, 2}, 5})) {
+  for (const NormalModes& family : families({{0, 2}, 5}, 80)) {
     const std::vector<Amplitude> amplitudes = some_amplitudes(family);
     double by_modes = 0;
     for (std::size_t i = 0; i < amplitudes.size(); ++i) {
@@ -122,7 +109,7 @@ TEST(Decomposition, LeavesLessTheMoreModesItMayUse) {
   };
   std::vector<double> before(3, 1.0);
   for (const int m : {1, 2, 4, 8, 16}) {
-    const std::vector<NormalModes> all = families({{0, 1, 2}, m});
+    const std::vector<NormalModes> all = families({{0, 1, 2}, m}, 80);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double error = decompose(all[i], zeta).truncation_error;
       EXPECT_LT(error, before[i]) << "family " << i << ", m = " << m;

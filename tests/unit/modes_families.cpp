@@ -5,31 +5,18 @@
 #include <numbers>
 
 #include "common/errors.hpp"
-#include "modes/bessel.hpp"
 #include "modes/bessel_zero.hpp"
 #include "modes/gauss_legendre.hpp"
-#include "modes/hanging_chain.hpp"
-#include "modes/in_vacuo.hpp"
+#include "tests/support/mode_families.hpp"
 
 namespace pennon::modes {
 namespace {
 
+using test::families;
+using test::flag;
+using test::flow;
 // Of sums of some thousand terms of the order of 1.
 constexpr double roundoff = 1e-13;
-
-FlagParameters flag() {
-  FlagParameters flag;
-  flag.mu = 0.125;
-  flag.K_B = 1e-4;
-  flag.gamma = 2;
-  return flag;
-}
-const FlowParameters flow{1000, 0};
-
-std::vector<NormalModes> families(const ModeRange& range) {
-  return {bessel_modes(range, flag(), flow), hanging_chain_modes(range, flag(), flow),
-          in_vacuo_modes(range, flag(), flow, TensionProfile::blasius, 100)};
-}
 
 double product(const NormalModes& family, const NormalMode& a, const NormalMode& b) {
   double sum = 0;
@@ -39,7 +26,7 @@ double product(const NormalModes& family, const NormalMode& a, const NormalMode&
 }
 
 TEST(NormalModes, AreOrthogonalAndHaveTheNormTheySay) {
-  for (const NormalModes& family : families({{0, 3}, 6}))
+  for (const NormalModes& family : families({{0, 3}, 6}, 100))
     for (const NormalMode& a : family.modes)
       for (const NormalMode& b : family.modes) {
         if (a.n != b.n) continue;
@@ -63,7 +50,7 @@ TEST(NormalModes, OfHighRankAreIntegratedAsWell) {
 }
 
 TEST(NormalModes, AreHeldAtTheLeadingEdgeAndMoveUpwardAtTheTrailingOne) {
-  for (const NormalModes& family : families({{0}, 6}))
+  for (const NormalModes& family : families({{0}, 6}, 100))
     for (const NormalMode& mode : family.modes) {
       EXPECT_NEAR(mode.shape(0), 0, roundoff);
       EXPECT_GT(mode.shape(1), 0);
@@ -71,7 +58,7 @@ TEST(NormalModes, AreHeldAtTheLeadingEdgeAndMoveUpwardAtTheTrailingOne) {
 }
 
 TEST(NormalModes, AreListedByWavesThenRankWithRisingFrequencies) {
-  for (const NormalModes& family : families({{0, 1, 4}, 5})) {
+  for (const NormalModes& family : families({{0, 1, 4}, 5}, 100)) {
     ASSERT_EQ(family.modes.size(), 15u);
     for (std::size_t i = 0; i < family.modes.size(); ++i) {
       const NormalMode& mode = family.modes[i];
@@ -86,7 +73,7 @@ TEST(NormalModes, AreListedByWavesThenRankWithRisingFrequencies) {
 }
 
 TEST(NormalModes, HaveOneMoreNodeThanTheModeBefore) {
-  for (const NormalModes& family : families({{0}, 6}))
+  for (const NormalModes& family : families({{0}, 6}, 100))
     for (const NormalMode& mode : family.modes) {
       int nodes = 0;
       constexpr int intervals = 1000;

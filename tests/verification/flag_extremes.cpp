@@ -18,6 +18,11 @@ constexpr double pi = std::numbers::pi;
 const EdgeConditions cantilever{Edge::clamped, Edge::free};
 const EdgeConditions pendulum{Edge::pinned, Edge::free};
 
+// Factorisations that the search of an equilibrium may take: where Newton's method goes straight to
+// it, and where it passes a bifurcation. They do not grow with the stiffness of the stretch.
+constexpr int few = 10;
+constexpr int several = 100;
+
 FlagLoads<2> weight(double y, double z) {
   FlagLoads<2> loads;
   loads.gravity = {y, z};
@@ -61,7 +66,7 @@ TEST(FlagAtTheExtremes, NeitherLocksNorNeedsMoreIterationsAsTheStretchStiffens) 
     FlagLoads<2> loads;
     loads.node_forces = NodeVectors<2>::Zero(2, 41);
     loads.node_forces(1, 40) = 2;
-    find_equilibrium(flag, loads, x);
+    EXPECT_LE(find_equilibrium(flag, loads, x).iterations, few) << K_S;
     if (position > 0) {
       EXPECT_NEAR(x(1, 40), position, 1e-3) << K_S;
     }
@@ -84,33 +89,75 @@ TEST(FlagAtTheExtremes, IsHardlyThereAtAMassOfOneMillionth) {
   EXPECT_LT((state.x - x).norm(), 1e-6);
 }
 
-TEST(FlagAtTheExtremes, FoldsToAHundredAndSeventyDegrees) {
+TEST(FlagAtTheExtremes, FoldsToAHundredAndSeventyDegreesHoweverStiffItsStretch) {
   // Turn the held end of a cantilever: its free end is pulled over by a moment, as a pair of loads.
-  const Flag<2> flag(FlagMesh(uniform_chord(101), cantilever), {1, 1, 1e5, 0.3, 0});
-  NodeVectors<2> x = flag.rest();
-  FlagLoads<2> loads;
-  loads.node_forces = NodeVectors<2>::Zero(2, 101);
-  loads.node_forces(0, 100) = -40;
-  loads.node_forces(1, 100) = 4;
-  find_equilibrium(flag, loads, x);
-  const Eigen::Vector2d end = x.col(100) - x.col(99);
-  EXPECT_GT(std::atan2(end[1], end[0]), 170 * pi / 180);
+  for (const double K_S : {1e5, 1e8}) {
+    const Flag<2> flag(FlagMesh(uniform_chord(101), cantilever), {1, 1, K_S, 0.3, 0});
+    NodeVectors<2> x = flag.rest();
+    FlagLoads<2> loads;
+    loads.node_forces = NodeVectors<2>::Zero(2, 101);
+    loads.node_forces(0, 100) = -40;
+    loads.node_forces(1, 100) = 4;
+    EXPECT_LE(find_equilibrium(flag, loads, x).iterations, several) << K_S;
+    const Eigen::Vector2d end = x.col(100) - x.col(99);
+    EXPECT_GT(std::atan2(end[1], end[0]), 170 * pi / 180) << K_S;
+  }
 }
 
+template <int dim>
+bool is_stable(const Flag<dim>& flag, const NodeVectors<dim>& x, const FlagLoads<dim>& loads) {
+  const auto tangent = flag.tangent_matrix();
+  tangent->set_zero();
+  flag.add_tangent({x, x}, loads, 0, *tangent);
+  return tangent->factor_if_definite();
+}
+
+// Of the end of an inextensible column under `share` of Euler's load (Timoshenko & Gere 1961,
+// section 2.7): 2 k/K(k), where K(k) = pi/2 share^1/2.
+double deflection_of_buckled_elastica(double share) {
+  const double K = pi / 2 * std::sqrt(share);
+  double low = 0;
+  double high = 1;
+  while (high - low > 1e-12) {
+    const double k = (low + high) / 2;
+    (std::comp_ellint_1(k) < K ? low : high) = k;
+  }
+  return 2 * low / K;
+}
+
+// A cantilever column buckles at pi^2/4 K_B/L^2. Across it: a small load, almost none, none at all,
+// where the straight column is an equilibrium too.
 TEST(FlagAtTheExtremes, BucklesUnderTheLoadOfEuler) {
-  // A cantilever column buckles at pi^2/4 K_B/L^2. A small load across opens the branch.
-  const auto deflection = [](double load) {
+  const auto deflection = [](double share, double across) {
     const Flag<2> flag(FlagMesh(uniform_chord(81), cantilever), {1, 1, 1e5, 0.3, 0});
     NodeVectors<2> x = flag.rest();
     FlagLoads<2> loads;
     loads.node_forces = NodeVectors<2>::Zero(2, 81);
-    loads.node_forces(0, 80) = -load;
-    loads.node_forces(1, 80) = 1e-3;
-    find_equilibrium(flag, loads, x);
-    return x(1, 80);
+    loads.node_forces(0, 80) = -share * pi * pi / 4;
+    loads.node_forces(1, 80) = across;
+    EXPECT_LE(find_equilibrium(flag, loads, x).iterations, several) << share << ' ' << across;
+    EXPECT_TRUE(is_stable(flag, x, loads)) << share << ' ' << across;
+    return std::abs(x(1, 80));
   };
-  EXPECT_LT(deflection(0.9 * pi * pi / 4), 0.01);
-  EXPECT_GT(deflection(1.1 * pi * pi / 4), 0.3);
+  for (const double across : {1e-3, 1e-6, 0.0}) {
+    EXPECT_LT(deflection(0.9, across), 0.01) << across;
+    // The grid's own error, and what the load across adds to a compliance of about 1.
+    const double tolerance = 5e-4 + across;
+    for (const double share : {1.1, 5.0})
+      EXPECT_NEAR(deflection(share, across), deflection_of_buckled_elastica(share), tolerance)
+          << across;
+  }
+}
+
+TEST(FlagAtTheExtremes, BucklesAsAPlate) {
+  const EdgeConditions edges{Edge::clamped, Edge::free, Edge::free, Edge::free};
+  const Flag<3> flag(FlagMesh(uniform_chord(21), 11, 1.0, edges), {1, 1, 1e5, 0.3, 0});
+  NodeVectors<3> x = flag.rest();
+  FlagLoads<3> loads;
+  loads.node_forces = uniform_load(flag, 1, -30);
+  EXPECT_LE(find_equilibrium(flag, loads, x).iterations, several);
+  EXPECT_TRUE(is_stable(flag, x, loads));
+  EXPECT_GT(x.row(2).cwiseAbs().maxCoeff(), 0.3);
 }
 
 TEST(FlagAtTheExtremes, HalvesAStepThatIsAHundredTimesTooLarge) {

@@ -1,0 +1,15 @@
+/// Figures of a simulated flow, from the files that dns/ wrote.
+#pragma once
+
+#include "analysis/figure.hpp"
+#include "common/hdf5.hpp"
+
+namespace pennon::analysis {
+
+/// Drag and lift over time.
+Figure figure_of_fluid_history(const hdf5::Reader&);
+
+/// The vorticity omega_x about the flag and in its wake, in the first plane.
+Figure figure_of_fluid_fields(const hdf5::Reader&);
+
+}  // namespace pennon::analysis

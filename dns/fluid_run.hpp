@@ -1,0 +1,47 @@
+/// The fluid about a flag that is held or moves as prescribed, run as a case asks: through time,
+/// with history, fields and checkpoints.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "common/output_folder.hpp"
+#include "common/parameters.hpp"
+#include "dns/fluid_history.hpp"
+#include "dns/prescribed_motion.hpp"
+#include "dns/settings.hpp"
+
+namespace pennon::dns {
+
+struct FluidRunResult {
+  std::string status;  ///< "done"
+  double t_end = 0;
+  std::int64_t steps = 0;
+  std::int64_t cells = 0;
+  double pressure_iterations_mean = 0;
+  int pressure_iterations_max = 0;
+  double least_area = 1;  ///< over the whole run
+  double wall_seconds = 0;
+  double step_seconds = 0;  ///< of the steps alone
+  FluidRow last{};
+  std::string checkpoint;
+};
+
+/// Computes and writes history.h5, history.csv, fields_*.h5 with fields.xdmf, and checkpoint.h5.
+/// With `restart`, goes on from that checkpoint to the case's t_end; the result is bit-identical to
+/// an uninterrupted run. Settings as check() accepts them. Throws SolverError (the last
+/// checkpoint's name in it), InputError (a checkpoint of another grid), FileError, Interrupted.
+FluidRunResult run_fluid(const Settings&, const FlagParameters&, const FlowParameters&,
+                         const ShapeFunction& mode,
+                         const std::optional<std::filesystem::path>& restart, const OutputFolder&,
+                         bool shows_progress);
+
+/// The grid, span, parameters and tolerances of a case.
+Fluid fluid_of(const Settings&, const FlagParameters&, const FlowParameters&);
+
+/// The value of "dns" in summary.json.
+nlohmann::ordered_json to_json(const FluidRunResult&);
+
+}  // namespace pennon::dns

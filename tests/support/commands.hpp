@@ -1,0 +1,77 @@
+/// pennon as a user starts it: its exit code, what it says, and a folder for what it writes.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/text_file.hpp"
+
+namespace pennon::test {
+
+inline const std::filesystem::path source = PENNON_SOURCE_DIR;
+inline const std::filesystem::path table_1_cases = source / "data/cases/table1";
+
+constexpr int done = 0, other = 1, bad_input = 2, not_converged = 3;
+
+/// Starts a program with its output in files; the caller waits for it.
+inline pid_t start_program(const std::vector<std::string>& words, const std::filesystem::path& out,
+                           const std::filesystem::path& err) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  for (const auto& [file, descriptor] :
+       {std::pair(out, STDOUT_FILENO), std::pair(err, STDERR_FILENO)})
+    dup2(open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), descriptor);
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  execv(argv[0], argv.data());
+  _exit(127);
+}
+
+struct Outcome {
+  int status = -1;  ///< exit code, or minus the signal
+  std::string out, err;
+};
+
+class Commands : public testing::Test {
+ protected:
+  Outcome finish(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+            read_text(folder_ / "out.txt"), read_text(folder_ / "err.txt")};
+  }
+  pid_t start_in_background(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), PENNON_EXECUTABLE);
+    return start_program(arguments, folder_ / "out.txt", folder_ / "err.txt");
+  }
+  Outcome pennon(const std::vector<std::string>& arguments) {
+    return finish(start_in_background(arguments));
+  }
+  /// mpiexec -n ranks pennon ...
+  Outcome pennon_on(int ranks, std::vector<std::string> arguments) {
+    // Open MPI asks for these from a superuser, and on fewer cores than ranks.
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
+    arguments.insert(arguments.begin(),
+                     {PENNON_MPIEXEC, "-n", std::to_string(ranks), PENNON_EXECUTABLE});
+    return finish(start_program(arguments, folder_ / "out.txt", folder_ / "err.txt"));
+  }
+  std::string results(const std::string& name = "results") const {
+    return (folder_ / name).string();
+  }
+
+  TemporaryFolder folder_;
+};
+
+}  // namespace pennon::test
