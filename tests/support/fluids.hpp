@@ -16,7 +16,7 @@ struct FluidCase {
   int planes = 1;
   double span = 1;
   dns::FluidTolerances tolerances;
-  dns::Upwinding upwinding = dns::kawamura_kuwahara;
+  dns::Upwinding upwinding = dns::upwinding::kawamura_kuwahara;
 };
 
 /// The displacement (y, z) of the flag's point that rests at y.
