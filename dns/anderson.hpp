@@ -21,9 +21,10 @@ class Anderson {
   void advance(Eigen::Ref<Eigen::VectorXd> x, const Eigen::Ref<const Eigen::VectorXd>& f);
 
  private:
-  Eigen::MatrixXd x_differences_, f_differences_;  // a column each, the oldest is replaced
-  Eigen::MatrixXd products_;                       // of the columns of f_differences_
-  Eigen::VectorXd last_x_, last_f_;
+  Eigen::MatrixXd next_differences_, f_differences_;  // of x + f and f; the oldest is replaced
+  Eigen::MatrixXd products_;                          // of the columns of f_differences_
+  Eigen::VectorXd last_next_, last_f_;
+  Eigen::VectorXd right_, last_right_;  // products of those columns and f
   int kept_ = 0, next_ = 0;
   bool has_last_ = false;
 };

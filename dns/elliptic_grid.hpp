@@ -6,8 +6,14 @@
 /// flag and at rest on the outer boundary. It is solved for the displacement from the conformal
 /// grid, which satisfies it, so that the derivatives of the latter are exact. Second order.
 ///
-/// The solution is iterated: each pass takes the residual, scaled, through the inverse of the flat
-/// operator d_rho^2 + d_theta^2, and Anderson's acceleration combines the last ones.
+/// The solution is iterated. For a change delta = e1 r_rho + e2 r_theta the left side changes,
+/// where it vanishes, by r_rho L e1 + r_theta L e2 with L e = |r_theta|^2 e_rhorho - 2 (r_rho .
+/// r_theta) e_rhotheta + |r_rho|^2 e_thetatheta: rho and theta are harmonic, so that first
+/// derivatives of e cancel. A pass resolves the residual in this frame, divides by (|r_rho|^2 +
+/// |r_theta|^2)/2 and applies the inverse of d_rho^2 + d_theta^2. That contracts by
+///   q = [(|r_rho|^2 - |r_theta|^2)^2 + 4 (r_rho . r_theta)^2]^1/2 / (|r_rho|^2 + |r_theta|^2) < 1
+/// (Cordes 1956; Miranda & Talenti), 0 on the grid at rest. Anderson's acceleration combines the
+/// passes after the second.
 #pragma once
 
 #include <array>
@@ -31,6 +37,7 @@ struct EllipticGridSummary {
   int passes = 0;
   double change = 0;      ///< of the last pass, largest, in L
   double least_area = 1;  ///< of a cell, over its area at rest; not positive where the grid folds
+  double worst_y = 0, worst_z = 0;  ///< the middle of that cell, found if the grid folds
 };
 
 class EllipticGrid {
@@ -43,7 +50,10 @@ class EllipticGrid {
 
   /// Brings the corners of a plane into equilibrium with their row 0; what `displacement` holds is
   /// the first guess. Stops where a pass changes no corner by more than `tolerance`, or after
-  /// `most_passes`: any smooth grid is a valid one, and the next step goes on from there.
+  /// `most_passes`: any smooth grid is a valid one, and the next step goes on from there. If the
+  /// guess is extrapolated linearly from the last two steps, two passes a step keep the error as
+  /// small as the guess's own, and smooth in time: being contracted by q twice, it cannot
+  /// alternate.
   EllipticGridSummary relax(int plane, Displacement<double>& displacement, double tolerance,
                             int most_passes);
 
@@ -51,7 +61,8 @@ class EllipticGrid {
   /// at the inner corners of a plane: rows 1 .. n_rho - 1 of n_theta, one behind the other.
   void residual(int plane, const Displacement<double>& displacement, double* y, double* z) const;
 
-  /// move_wall() and relax(); where that folds, from the grid at rest in small parts.
+  /// move_wall() and relax(); where that folds, from the grid at rest in small parts. If these fold
+  /// too, `displacement` and the summary are those of the last part tried.
   EllipticGridSummary follow(int plane, const double* y, const double* z, Displacement<double>&,
                              double tolerance, int most_passes);
 
@@ -59,19 +70,23 @@ class EllipticGrid {
   double least_area(int plane, const Displacement<double>&) const;
 
  private:
-  struct Differences {  // of three neighbours: weights of the one before, the middle, the one
-                        // behind
-    double first[3], second[3];
+  struct Differences {  // weights of the steps from the neighbour before and to the one behind
+    double first_before, first_behind, second_before, second_behind;
   };
   static Differences differences(double before, double behind);
+  template <class Use>
+  void for_each_corner(int plane, const Displacement<double>& displacement, const Use& use) const;
+  void find_change(int plane, const Displacement<double>& displacement);
+  class RowOfAreas;
+  void find_worst_cell(int plane, const Displacement<double>&, EllipticGridSummary&) const;
 
   OGrid grid_;
   std::vector<Differences> along_rho_;
-  std::array<std::vector<double>, 3> theta_first_, theta_second_;
-  std::vector<double> cos_theta_, sin_theta_, cos_centre_, sin_centre_;
-  std::vector<double> cos_half_step_, sin_half_step_;
+  std::vector<double> first_before_, first_behind_, second_before_, second_behind_;  // along theta
   SeparableSolver flat_;
   Eigen::VectorXd corners_, change_, before_;  // the inner corners' y, then z
+  Eigen::VectorXd r_rho_, r_theta_;            // in the same order
+  Eigen::VectorXd weight_;  // of the residual: less than 1 at the edges of the flag
   Anderson acceleration_;
 };
 

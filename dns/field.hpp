@@ -31,8 +31,8 @@ class Field {
   Field() = default;
   explicit Field(const Extent& extent, Scalar value = Scalar(0))
       : extent_(extent),
-        row_(static_cast<std::size_t>(extent.n_theta) + 2 * ghosts),
-        plane_((static_cast<std::size_t>(extent.n_rho) + 2 * ghosts) * row_),
+        row_(static_cast<std::size_t>(extent.n_theta + 2 * ghosts)),
+        plane_(static_cast<std::size_t>(extent.n_rho + 2 * ghosts) * row_),
         values_(static_cast<std::size_t>(extent.planes) * plane_, value) {}
 
   const Extent& extent() const { return extent_; }

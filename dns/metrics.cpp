@@ -1,6 +1,7 @@
 #include "dns/metrics.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 namespace pennon::dns {
 namespace {
@@ -14,136 +15,173 @@ struct Pair {
   friend Pair operator-(const Pair& a, const Pair& b) { return {a.y - b.y, a.z - b.z}; }
   friend Pair operator*(double factor, const Pair& a) { return {factor * a.y, factor * a.z}; }
   friend Scalar cross(const Pair& a, const Pair& b) { return a.y * b.z - a.z * b.y; }
+  friend Scalar dot(const Pair& a, const Pair& b) { return a.y * b.y + a.z * b.z; }
 };
 
+// A row of corners.
 template <class Scalar>
-Pair<Scalar> pair_of(const std::complex<double>& number) {
-  return {Scalar(number.real()), Scalar(number.imag())};
+struct Row {
+  const Scalar *y = nullptr, *z = nullptr;
+
+  Row() = default;
+  Row(const Displacement<Scalar>& displacement, int plane, int j)
+      : y(displacement.y.row(plane, j)), z(displacement.z.row(plane, j)) {}
+  Pair<Scalar> operator[](int i) const { return {y[i], z[i]}; }
+};
+
+// What the metrics of a face or a cell are made of: the derivatives of the position by the
+// coordinate across the face and by the other one (in a cell by s and t), the face's edge, and the
+// derivative by xi.
+template <class Scalar>
+struct Site {
+  Pair<Scalar> along, across, edge, r_xi;
+};
+
+// sign: +1 across rho, -1 across theta, where the coordinates change places.
+template <bool has_span, class Scalar, class SiteAt>
+void write_faces(FaceMetrics<Scalar>& faces, int plane, int j, int count, double sign,
+                 const SiteAt& site_at) {
+  Scalar* area_x = has_span ? faces.area_x.row(plane, j) : nullptr;
+  Scalar *area_y = faces.area_y.row(plane, j), *area_z = faces.area_z.row(plane, j);
+  Scalar *along = faces.along.row(plane, j), *across = faces.across.row(plane, j);
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i) {
+    const Site<Scalar> at = site_at(i);
+    const Scalar inverse_J = sign / cross(at.along, at.across);
+    Scalar c_along = dot(at.edge, at.across) * inverse_J;
+    Scalar c_across = -dot(at.edge, at.along) * inverse_J;
+    if constexpr (has_span) {
+      const Scalar x = -sign * cross(at.r_xi, at.edge);
+      // grad . r_xi of the two coordinates, times the sign.
+      c_along -= sign * x * cross(at.r_xi, at.across) * inverse_J;
+      c_across += sign * x * cross(at.r_xi, at.along) * inverse_J;
+      area_x[i] = x;
+    }
+    area_y[i] = sign * at.edge.z;
+    area_z[i] = -sign * at.edge.y;
+    along[i] = c_along;
+    across[i] = c_across;
+  }
 }
 
-// The corners' vectors of a plane by row and column.
-template <class Scalar>
-class Corners {
- public:
-  Corners(const Displacement<Scalar>& displacement, int plane)
-      : displacement_(displacement), plane_(plane) {}
-  Pair<Scalar> operator()(int j, int i) const {
-    return {displacement_.y.row(plane_, j)[i], displacement_.z.row(plane_, j)[i]};
-  }
-
- private:
-  const Displacement<Scalar>& displacement_;
-  int plane_;
-};
-
-// Gradients of s and t from the derivatives of the position.
-template <class Scalar>
-struct Gradients {
-  Pair<Scalar> s, t;
-
-  Gradients(const Pair<Scalar>& r_s, const Pair<Scalar>& r_t) {
-    const Scalar inverse_J = Scalar(1) / cross(r_s, r_t);
-    s = {r_t.z * inverse_J, -r_t.y * inverse_J};
-    t = {-r_s.z * inverse_J, r_s.y * inverse_J};
-  }
-};
-
-template <class Scalar>
-Scalar dot(const Pair<Scalar>& a, const Pair<Scalar>& b) {
-  return a.y * b.y + a.z * b.z;
+// Weights of the values at x0, x1, x2 in `step` times the derivative of their parabola at x.
+// Without regard to how the steps grow, the derivative would be wrong by half their growth in the
+// cells at the flag's edges, where all derivatives of the position vanish.
+std::array<double, 3> derivative(double x, double x0, double x1, double x2, double step) {
+  return {step * (2 * x - x1 - x2) / ((x0 - x1) * (x0 - x2)),
+          step * (2 * x - x0 - x2) / ((x1 - x0) * (x1 - x2)),
+          step * (2 * x - x0 - x1) / ((x2 - x0) * (x2 - x1))};
 }
 
-template <class Scalar>
+template <bool has_span, class Scalar>
 struct Writer {
   const OGrid& grid;
   int plane;
-  Corners<Scalar> d;
+  const Displacement<Scalar>& displacement;
   const Displacement<Scalar>* slope;
   Metrics<Scalar>& metrics;
 
-  // edge: the face's, along the other coordinate; sign: +1 across rho, -1 across theta.
-  void face(FaceMetrics<Scalar>& faces, int j, int i, const Pair<Scalar>& edge, double sign,
-            const Pair<Scalar>& along, const Pair<Scalar>& across, const Pair<Scalar>& r_xi) const {
-    const Pair<Scalar> area{sign * edge.z, -sign * edge.y};
-    Scalar c_along = dot(area, along), c_across = dot(area, across);
-    if (metrics.has_span) {
-      const Scalar area_x = -dot(area, r_xi);
-      c_along -= area_x * dot(along, r_xi);
-      c_across -= area_x * dot(across, r_xi);
-      faces.area_x.row(plane, j)[i] = area_x;
-    }
-    faces.area_y.row(plane, j)[i] = area.y;
-    faces.area_z.row(plane, j)[i] = area.z;
-    faces.along.row(plane, j)[i] = c_along;
-    faces.across.row(plane, j)[i] = c_across;
+  Row<Scalar> row(int j) const { return {displacement, plane, j}; }
+  Row<Scalar> slope_row(int j) const {
+    if constexpr (has_span) return {*slope, plane, j};
+    return {};
   }
 
-  Pair<Scalar> mean_slope(int j, int i, int j2, int i2) const {
-    if (!metrics.has_span) return {Scalar(0), Scalar(0)};
-    const Corners<Scalar> r_xi(*slope, plane);
-    return 0.5 * (r_xi(j, i) + r_xi(j2, i2));
-  }
-
-  void rho_face(int j, int i) const {
-    const double theta = grid.theta_centre(i);
-    const std::complex<double> Z = OGrid::slope(grid.rho(j), theta);
-    constexpr std::complex<double> I(0, 1);
-    const auto along_rho = [&](int row) { return 0.5 * (d(row, i) + d(row, i + 1)); };
+  void rho_faces(int j) const {
     const int n = grid.n_rho();
-    Pair<Scalar> d_s;
-    if (j == 0)
-      d_s = 0.5 * (4.0 * along_rho(1) - 3.0 * along_rho(0) - along_rho(2));
-    else if (j == n)
-      d_s = 0.5 * (3.0 * along_rho(n) - 4.0 * along_rho(n - 1) + along_rho(n - 2));
-    else
-      d_s = 0.5 * (along_rho(j + 1) - along_rho(j - 1));
-    const Pair<Scalar> d_t = d(j, i + 1) - d(j, i);
-    const Gradients<Scalar> gradients(pair_of<Scalar>(Z * grid.rho_face_step(j)) + d_s,
-                                      pair_of<Scalar>(I * Z * grid.theta_step(i)) + d_t);
-    const Pair<Scalar> edge = pair_of<Scalar>(2.0 * I * Z * std::sin(grid.theta_step(i) / 2)) + d_t;
-    face(metrics.rho_faces, j, i, edge, 1, gradients.s, gradients.t, mean_slope(j, i, j, i + 1));
+    const RhoTable& rho = grid.along_rho();
+    const ThetaTable& theta = grid.along_theta();
+    const auto at_j = static_cast<std::size_t>(j);
+    const double cosh = rho.cosh[at_j] / 2, sinh = rho.sinh[at_j] / 2, step = rho.face_step[at_j];
+    const double *cos = theta.cos_centre.data(), *sin = theta.sin_centre.data();
+    const double *theta_step = theta.step.data(), *half_sine = theta.sin_half_step.data();
+    const int middle = std::clamp(j, 1, n - 1);
+    const Row<Scalar> d0 = row(middle - 1), d1 = row(middle), d2 = row(middle + 1);
+    const std::array<double, 3> w =
+        derivative(grid.rho(j), grid.rho(middle - 1), grid.rho(middle), grid.rho(middle + 1), step);
+    const Row<Scalar> d = row(j), d_xi = slope_row(j);
+    write_faces<has_span>(metrics.rho_faces, plane, j, grid.n_theta(), 1, [=](int i) {
+      const Pair<Scalar> Z{sinh * cos[i], cosh * sin[i]}, iZ{-cosh * sin[i], sinh * cos[i]};
+      const Pair<Scalar> d_s = 0.5 * (w[0] * (d0[i] + d0[i + 1]) + w[1] * (d1[i] + d1[i + 1]) +
+                                      w[2] * (d2[i] + d2[i + 1]));
+      const Pair<Scalar> d_t = d[i + 1] - d[i];
+      Site<Scalar> at{step * Z + d_s, theta_step[i] * iZ + d_t, 2 * half_sine[i] * iZ + d_t, {}};
+      if constexpr (has_span) at.r_xi = 0.5 * (d_xi[i] + d_xi[i + 1]);
+      return at;
+    });
   }
 
-  void theta_face(int j, int i) const {
-    const std::complex<double> Z = OGrid::slope(grid.rho_centre(j), grid.theta(i));
-    constexpr std::complex<double> I(0, 1);
-    const Pair<Scalar> d_s = d(j + 1, i) - d(j, i);
-    const Pair<Scalar> d_t = 0.25 * (d(j, i + 1) + d(j + 1, i + 1) - d(j, i - 1) - d(j + 1, i - 1));
-    const Gradients<Scalar> gradients(pair_of<Scalar>(Z * grid.rho_step(j)) + d_s,
-                                      pair_of<Scalar>(I * Z * grid.theta_face_step(i)) + d_t);
-    const Pair<Scalar> edge = pair_of<Scalar>(2.0 * Z * std::sinh(grid.rho_step(j) / 2)) + d_s;
-    face(metrics.theta_faces, j, i, edge, -1, gradients.t, gradients.s, mean_slope(j, i, j + 1, i));
+  void theta_faces(int j) const {
+    const RhoTable& rho = grid.along_rho();
+    const ThetaTable& theta = grid.along_theta();
+    const auto at_j = static_cast<std::size_t>(j);
+    const double cosh = rho.cosh_centre[at_j] / 2, sinh = rho.sinh_centre[at_j] / 2;
+    const double step = rho.step[at_j], half_step = 2 * rho.sinh_half_step[at_j];
+    const double *cos = theta.cos.data(), *sin = theta.sin.data();
+    const double* theta_step = theta.face_step.data();
+    const Row<Scalar> d0 = row(j), d1 = row(j + 1), xi0 = slope_row(j), xi1 = slope_row(j + 1);
+    write_faces<has_span>(metrics.theta_faces, plane, j, grid.n_theta() + 1, -1, [=](int i) {
+      const Pair<Scalar> Z{sinh * cos[i], cosh * sin[i]}, iZ{-cosh * sin[i], sinh * cos[i]};
+      const Pair<Scalar> d_s = d1[i] - d0[i];
+      const Pair<Scalar> d_t = 0.25 * (d0[i + 1] + d1[i + 1] - d0[i - 1] - d1[i - 1]);
+      Site<Scalar> at{theta_step[i] * iZ + d_t, step * Z + d_s, half_step * Z + d_s, {}};
+      if constexpr (has_span) at.r_xi = 0.5 * (xi0[i] + xi1[i]);
+      return at;
+    });
   }
 
-  void cell(int j, int i) const {
-    const double rho = grid.rho_centre(j), theta = grid.theta_centre(i);
-    const double d_rho = grid.rho_step(j), d_theta = grid.theta_step(i);
-    const std::complex<double> Z = OGrid::slope(rho, theta);
-    constexpr std::complex<double> I(0, 1);
-    const Pair<Scalar> d_s = 0.5 * (d(j + 1, i) + d(j + 1, i + 1) - d(j, i) - d(j, i + 1));
-    const Pair<Scalar> d_t = 0.5 * (d(j, i + 1) + d(j + 1, i + 1) - d(j, i) - d(j + 1, i));
-    const Gradients<Scalar> gradients(pair_of<Scalar>(Z * d_rho) + d_s,
-                                      pair_of<Scalar>(I * Z * d_theta) + d_t);
-    metrics.s_y.row(plane, j)[i] = gradients.s.y;
-    metrics.s_z.row(plane, j)[i] = gradients.s.z;
-    metrics.t_y.row(plane, j)[i] = gradients.t.y;
-    metrics.t_z.row(plane, j)[i] = gradients.t.z;
-    if (metrics.has_span) {
-      const Pair<Scalar> r_xi =
-          0.5 * (mean_slope(j, i, j + 1, i) + mean_slope(j, i + 1, j + 1, i + 1));
-      metrics.s_x.row(plane, j)[i] = -dot(gradients.s, r_xi);
-      metrics.t_x.row(plane, j)[i] = -dot(gradients.t, r_xi);
+  void cells(int j) const {
+    const RhoTable& rho = grid.along_rho();
+    const ThetaTable& theta = grid.along_theta();
+    const auto at_j = static_cast<std::size_t>(j);
+    const double cosh = rho.cosh_centre[at_j] / 2, sinh = rho.sinh_centre[at_j] / 2;
+    const double step = rho.step[at_j];
+    const double cosh_half = 2 * rho.cosh_half_step[at_j], sinh_half = 2 * rho.sinh_half_step[at_j];
+    const double *cos = theta.cos_centre.data(), *sin = theta.sin_centre.data();
+    const double* theta_step = theta.step.data();
+    const double *cos_half = theta.cos_half_step.data(), *sin_half = theta.sin_half_step.data();
+    const Row<Scalar> d0 = row(j), d1 = row(j + 1), xi0 = slope_row(j), xi1 = slope_row(j + 1);
+    Scalar *s_y = metrics.s_y.row(plane, j), *s_z = metrics.s_z.row(plane, j);
+    Scalar *t_y = metrics.t_y.row(plane, j), *t_z = metrics.t_z.row(plane, j);
+    Scalar* s_x = has_span ? metrics.s_x.row(plane, j) : nullptr;
+    Scalar* t_x = has_span ? metrics.t_x.row(plane, j) : nullptr;
+    Scalar* volume = metrics.volume.row(plane, j);
+    const int count = grid.n_theta();
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+      const double Z_y = sinh * cos[i], Z_z = cosh * sin[i];
+      const Pair<Scalar> d_a = d1[i + 1] - d0[i], d_b = d0[i + 1] - d1[i];
+      const Pair<Scalar> r_s = Pair<Scalar>{step * Z_y, step * Z_z} + 0.5 * (d_a - d_b);
+      const Pair<Scalar> r_t =
+          Pair<Scalar>{-theta_step[i] * Z_z, theta_step[i] * Z_y} + 0.5 * (d_a + d_b);
+      const Scalar inverse_J = 1.0 / cross(r_s, r_t);
+      s_y[i] = r_t.z * inverse_J;
+      s_z[i] = -r_t.y * inverse_J;
+      t_y[i] = -r_s.z * inverse_J;
+      t_z[i] = r_s.y * inverse_J;
+      if constexpr (has_span) {
+        const Pair<Scalar> r_xi = 0.25 * (xi0[i] + xi1[i] + xi0[i + 1] + xi1[i + 1]);
+        s_x[i] = -cross(r_xi, r_t) * inverse_J;
+        t_x[i] = cross(r_xi, r_s) * inverse_J;
+      }
+      // The area between the corners is half the cross product of the diagonals a and b. That at
+      // rest is ... sinh(d_rho) sin(d_theta); the product that the flat solver inverts, equal to
+      // second order, stands for it. The difference does not change along x.
+      const double real = sinh_half * cos_half[i], imag = cosh_half * sin_half[i];
+      const Pair<Scalar> a{Z_y * real - Z_z * imag, Z_y * imag + Z_z * real};
+      const Pair<Scalar> b{-Z_y * real - Z_z * imag, Z_y * imag - Z_z * real};
+      const double at_rest = (Z_y * Z_y + Z_z * Z_z) * 2 * sinh_half * sin_half[i];
+      volume[i] = at_rest + 0.5 * (cross(a, d_b) + cross(d_a, b) + cross(d_a, d_b));
     }
-    // The area between the corners is half the cross product of the diagonals. That at rest is
-    // ... sinh(d_rho) sin(d_theta); the product that the flat solver inverts, equal to second
-    // order, stands for it. The difference does not change along x.
-    const std::complex<double> half_step(d_rho / 2, d_theta / 2);
-    const Pair<Scalar> a = pair_of<Scalar>(2.0 * Z * std::sinh(half_step));
-    const Pair<Scalar> b = pair_of<Scalar>(-2.0 * Z * std::sinh(std::conj(half_step)));
-    const Pair<Scalar> d_a = d(j + 1, i + 1) - d(j, i), d_b = d(j, i + 1) - d(j + 1, i);
-    const double at_rest = 4 * std::norm(Z) * std::sinh(d_rho / 2) * std::sin(d_theta / 2);
-    metrics.volume.row(plane, j)[i] =
-        at_rest + 0.5 * (cross(a, d_b) + cross(d_a, b) + cross(d_a, d_b));
+  }
+
+  void write() const {
+    for (int j = 0; j <= grid.n_rho(); ++j) {
+      rho_faces(j);
+      if (j == grid.n_rho()) continue;
+      theta_faces(j);
+      cells(j);
+    }
   }
 };
 
@@ -166,13 +204,10 @@ Metrics<Scalar>::Metrics(const Extent& extent, bool with_span)
 template <class Scalar>
 void update_metrics(const OGrid& grid, int plane, const Displacement<Scalar>& displacement,
                     const Displacement<Scalar>* slope, Metrics<Scalar>& metrics) {
-  const Writer<Scalar> writer{grid, plane, {displacement, plane}, slope, metrics};
-  for (int j = 0; j <= grid.n_rho(); ++j) {
-    for (int i = 0; i < grid.n_theta(); ++i) writer.rho_face(j, i);
-    if (j == grid.n_rho()) continue;
-    for (int i = 0; i <= grid.n_theta(); ++i) writer.theta_face(j, i);
-    for (int i = 0; i < grid.n_theta(); ++i) writer.cell(j, i);
-  }
+  if (metrics.has_span)
+    Writer<true, Scalar>{grid, plane, displacement, slope, metrics}.write();
+  else
+    Writer<false, Scalar>{grid, plane, displacement, slope, metrics}.write();
 }
 
 void corners_of(const OGrid& grid, int plane, const Displacement<double>& displacement, double* y,

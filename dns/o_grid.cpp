@@ -52,6 +52,28 @@ OGrid::OGrid(const OGridSettings& settings) : settings_(settings) {
     const double t = 2 * std::numbers::pi * i / n_theta;
     theta_[static_cast<std::size_t>(i)] = t - settings.wake_clustering * std::sin(t);
   }
+  for (int j = 0; j <= n_rho; ++j) {
+    along_rho_.cosh.push_back(std::cosh(rho(j)));
+    along_rho_.sinh.push_back(std::sinh(rho(j)));
+    along_rho_.face_step.push_back(rho_face_step(j));
+    if (j == n_rho) continue;
+    along_rho_.cosh_centre.push_back(std::cosh(rho_centre(j)));
+    along_rho_.sinh_centre.push_back(std::sinh(rho_centre(j)));
+    along_rho_.cosh_half_step.push_back(std::cosh(rho_step(j) / 2));
+    along_rho_.sinh_half_step.push_back(std::sinh(rho_step(j) / 2));
+    along_rho_.step.push_back(rho_step(j));
+  }
+  for (int i = 0; i <= n_theta; ++i) {
+    along_theta_.cos.push_back(std::cos(theta(i)));
+    along_theta_.sin.push_back(std::sin(theta(i)));
+    along_theta_.face_step.push_back(theta_face_step(i));
+    if (i == n_theta) continue;
+    along_theta_.cos_centre.push_back(std::cos(theta_centre(i)));
+    along_theta_.sin_centre.push_back(std::sin(theta_centre(i)));
+    along_theta_.cos_half_step.push_back(std::cos(theta_step(i) / 2));
+    along_theta_.sin_half_step.push_back(std::sin(theta_step(i) / 2));
+    along_theta_.step.push_back(theta_step(i));
+  }
 }
 
 double OGrid::rho_face_step(int j) const {

@@ -23,6 +23,19 @@ struct OGridSettings {
   double wake_clustering = 0.0;  ///< b of theta = t - b sin t, 0 <= b < 1: denser about theta = 0
 };
 
+/// Functions of rho that the moving grid asks for again and again: at the corners j = 0 .. n_rho,
+/// at the centres, of half a cell's step. `step` and `face_step` are OGrid's.
+struct RhoTable {
+  std::vector<double> cosh, sinh, cosh_centre, sinh_centre, cosh_half_step, sinh_half_step;
+  std::vector<double> step, face_step;
+};
+
+/// The same of theta: at the corners i = 0 .. n_theta, at the centres, of half a cell's step.
+struct ThetaTable {
+  std::vector<double> cos, sin, cos_centre, sin_centre, cos_half_step, sin_half_step;
+  std::vector<double> step, face_step;
+};
+
 class OGrid {
  public:
   /// Throws InputError if no growth of the spacing reaches R with n_rho cells.
@@ -46,6 +59,9 @@ class OGrid {
   double rho_face_step(int j) const;
   double theta_face_step(int i) const;  ///< i = 0 .. n_theta, periodic
 
+  const RhoTable& along_rho() const { return along_rho_; }
+  const ThetaTable& along_theta() const { return along_theta_; }
+
   /// The ratio by which the spacing of rho grows from cell to cell.
   double growth() const { return growth_; }
   bool is_theta_uniform() const { return settings_.wake_clustering == 0; }
@@ -58,6 +74,8 @@ class OGrid {
   OGridSettings settings_;
   double growth_ = 1;
   std::vector<double> rho_, theta_;
+  RhoTable along_rho_;
+  ThetaTable along_theta_;
 };
 
 }  // namespace pennon::dns

@@ -19,25 +19,30 @@ struct Tridiagonal {
 };
 
 /// The eigenvectors of S^-1 A along theta. Rows of n numbers are taken to their coefficients and
-/// back.
+/// back. Of a circulant A by FFT; else by matrix products of half the size if A and S do not change
+/// under i -> n - 1 - i (the flag's two sides), of a quarter if neither do the halves (uniform
+/// theta).
 class ThetaBasis {
  public:
   /// `is_circulant`: A is, and S is constant.
   ThetaBasis(const Eigen::VectorXd& S, const Eigen::MatrixXd& A, bool is_circulant);
   ~ThetaBasis();
+  ThetaBasis(const ThetaBasis&) = delete;
+  ThetaBasis& operator=(const ThetaBasis&) = delete;
   ThetaBasis(ThetaBasis&&) noexcept;
   ThetaBasis& operator=(ThetaBasis&&) noexcept;
 
+  /// One for each coefficient of a row: n, and for real Fourier coefficients n + 2 of which two
+  /// vanish.
   const Eigen::VectorXd& eigenvalues() const { return eigenvalues_; }
-  /// In place, `rows` rows one behind the other.
-  void to_coefficients(double* values, int rows);
-  void to_values(double* coefficients, int rows);
+  /// `rows` rows, one behind the other; what is taken is destroyed.
+  void to_coefficients(double* values, double* coefficients, int rows);
+  void to_values(double* coefficients, double* values, int rows);
 
  private:
   class Transform;
   class Fourier;
-  class Dense;
-  class Parity;
+  class Folded;
   std::unique_ptr<Transform> transform_;
   Eigen::VectorXd eigenvalues_;
 };
@@ -52,8 +57,10 @@ class SeparableSolver {
  private:
   ThetaBasis basis_;
   Eigen::VectorXd lower_, upper_;
-  // One over the pivots of the eliminations: a row for each rho, a column for each eigenvector.
-  Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> inverse_pivot_;
+  // A row for each rho, a column for each eigenvector.
+  using Rows = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Rows inverse_pivot_;  // of the eliminations
+  Rows coefficients_;
 };
 
 }  // namespace pennon::dns
