@@ -1,6 +1,7 @@
 // Forces on a plate that moves a little, against potential flow.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -23,7 +24,7 @@ FluidCase plate(int n_rho, double Re) {
   return settings;
 }
 
-constexpr double acceleration = 0.01;  // so small that the plate's place does not matter
+constexpr double acceleration = 100;  // over so short a time that the plate keeps its place
 constexpr double step = 1e-5;
 constexpr int steps = 10;
 
@@ -64,7 +65,7 @@ TEST(AddedMass, OfAPlungingWaveIsThatOfPotentialFlow) {
     }
     // At 20 the pressure falls off within a few cells of the wall.
     EXPECT_LT(error[1], k_x < 10 ? 0.0005 : 0.005) << k_x;
-    EXPECT_GT(std::log2(error[0] / error[1]), 0.9) << k_x;
+    EXPECT_LT(error[1], std::max(0.5 * error[0], 1e-4)) << k_x;
   }
 }
 
