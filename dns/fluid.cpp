@@ -290,9 +290,7 @@ void Fluid::prepare_lines() {
            *upper = line_upper_.row(plane, j);
     const double* upper_below = line_upper_.row(plane, j - 1);
     for (int i = 0; i < n_theta; ++i) {
-      const bool is_open =
-          j + 1 == n_rho && !is_inflow_[static_cast<std::size_t>(plane * n_theta + i)];
-      const double outer = is_open ? 0.0 : above[i];
+      const double outer = j + 1 < n_rho ? above[i] : 0.0;
       double diagonal = volume[i] * (next_weight_ + std::abs(s[i]) + std::abs(t[i])) +
                         nu * (below[i] + outer + theta[i] + theta[i + 1]);
       lower[i] = -nu * below[i] - volume[i] * std::max(s[i], 0.0);

@@ -21,23 +21,27 @@ void extend_to_wall(int plane, const Scalar* wall, Field<Scalar>& f) {
   }
 }
 
-/// Without a value at the wall, by the parabola through the three nearest cells: the near ghost.
+/// Without a value at the wall, by the line through the two nearest cells: the near ghost. (The
+/// parabola through three feeds back on itself at the edges of the flag, where the pressure goes as
+/// 1/|rho + i theta|: with cells as long in rho as in theta or longer, it grows from step to step.)
 template <class Scalar>
 void extrapolate_to_wall(int plane, Field<Scalar>& f) {
-  const Scalar *f0 = f.row(plane, 0), *f1 = f.row(plane, 1), *f2 = f.row(plane, 2);
+  const Scalar *f0 = f.row(plane, 0), *f1 = f.row(plane, 1);
   Scalar* near = f.row(plane, -1);
-  for (int i = 0; i < f.extent().n_theta; ++i) near[i] = 3.0 * (f0[i] - f1[i]) + f2[i];
+  for (int i = 0; i < f.extent().n_theta; ++i) near[i] = 2.0 * f0[i] - f1[i];
 }
 
-/// The value at the wall of that parabola, from the three nearest cells.
+/// The value at the wall of the parabola through the three nearest cells.
 template <class Scalar>
 Scalar wall_value(const Scalar& f0, const Scalar& f1, const Scalar& f2) {
   return (15.0 * f0 - 10.0 * f1 + 3.0 * f2) / 8.0;
 }
 
-/// Behind the outer boundary. Where the stream enters, its value; where it leaves, for convection
-/// the parabola through the last three cells, with which it becomes one-sided, and for viscous
-/// fluxes no gradient. `is_inflow` of the face i of this plane stands at first + i. Both ghosts.
+/// Behind the outer boundary. For convection: where the stream enters, its value; where it leaves,
+/// the parabola through the last three cells, with which it becomes one-sided. For viscous fluxes
+/// no gradient, also where the stream enters: the last cells hold the stream and what the flag's
+/// pressure makes of it, and that difference over one cell would be a force that grows as the grid
+/// is refined. `is_inflow` of the face i of this plane stands at first + i. Both ghosts.
 template <class Scalar>
 void extend_outward(int plane, const std::vector<bool>& is_inflow, std::size_t first,
                     const Scalar& stream, bool is_viscous, Field<Scalar>& f) {
@@ -46,8 +50,8 @@ void extend_outward(int plane, const std::vector<bool>& is_inflow, std::size_t f
   Scalar *near = f.row(plane, n), *far = f.row(plane, n + 1);
   for (int i = 0; i < f.extent().n_theta; ++i) {
     const bool enters = is_inflow[first + static_cast<std::size_t>(i)];
-    near[i] = enters ? stream : is_viscous ? f0[i] : 3.0 * (f0[i] - f1[i]) + f2[i];
-    far[i] = enters ? stream : is_viscous ? f0[i] : 6.0 * f0[i] - 8.0 * f1[i] + 3.0 * f2[i];
+    near[i] = is_viscous ? f0[i] : enters ? stream : 3.0 * (f0[i] - f1[i]) + f2[i];
+    far[i] = is_viscous ? f0[i] : enters ? stream : 6.0 * f0[i] - 8.0 * f1[i] + 3.0 * f2[i];
   }
 }
 

@@ -7,5 +7,13 @@ pennon_test(test_flag_validation LABEL verification
                     verification/flag_extremes.cpp verification/flag_in_vacuo.cpp
             LINK pennon::dns pennon::modes)
 pennon_test(test_fluid_verification LABEL verification
-            SOURCES verification/fluid_manufactured.cpp LINK pennon::dns)
+            SOURCES verification/fluid_manufactured.cpp verification/fluid_budgets.cpp
+                    verification/fluid_identities.cpp verification/fluid_potential.cpp
+                    verification/fluid_plate.cpp verification/fluid_outflow.cpp
+                    verification/fluid_extremes.cpp
+            LINK pennon::dns pennon::lsa)
+pennon_test(test_fluid_validation LABEL validation
+            SOURCES validation/fluid_plate_drag.cpp validation/fluid_theodorsen.cpp
+                    validation/fluid_large_grid.cpp
+            LINK pennon::dns)
 pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp unit/fluid_parts.cpp LINK pennon::dns)
