@@ -19,11 +19,17 @@ macro(pennon_find_package name package)
 endmacro()
 
 pennon_pkg_config(GSL gsl libgsl-dev)
+# GSL brings a plain CBLAS of its own, which must not stand in for the system's: the fluid's time
+# goes into its products.
+pennon_pkg_config(BLAS blas libblas-dev)
+get_target_property(gsl_libraries PkgConfig::GSL INTERFACE_LINK_LIBRARIES)
+list(FILTER gsl_libraries EXCLUDE REGEX gslcblas)
+set_target_properties(PkgConfig::GSL PROPERTIES
+                      INTERFACE_LINK_LIBRARIES "${gsl_libraries};PkgConfig::BLAS")
 pennon_pkg_config(HDF5 hdf5-serial libhdf5-dev)
 pennon_pkg_config(ARPACK arpack libarpack2-dev)
 pennon_pkg_config(LAPACK lapack liblapack-dev)
 pennon_pkg_config(FFTW fftw3 libfftw3-dev)
-pennon_pkg_config(BLAS blas libblas-dev)
 pennon_find_package(MPI libopenmpi-dev)
 pennon_find_package(Eigen3 libeigen3-dev)
 pennon_find_package(tomlplusplus libtomlplusplus-dev)

@@ -105,7 +105,7 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
           [this](const double* in, double* out) { pressure_operator(in, out); },
           [this](const double* in, double* out) { invert_flat_pressure(in, out); }),
       velocity_(
-          extent_.cells(), {"velocity", 200, 10},
+          static_cast<std::size_t>(components_) * extent_.cells(), {"velocity", 200, 10},
           [this](const double* in, double* out) { velocity_operator(in, out); },
           [this](const double* in, double* out) { invert_lines(in, out); }),
       grid_velocity_y_(extent_),
@@ -113,9 +113,8 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       flux_rho_(extent_),
       flux_theta_(extent_),
       slope_(span_.has_span() ? extent_ : Extent{0, 0, 0}),
-      f_(extent_),
-      work_(extent_),
-      balance_(extent_),
+      balance_(Extent{1, grid.n_rho(), grid.n_theta()}),
+      carried_(balance_.extent()),
       C_s_(extent_),
       C_t_(extent_),
       line_lower_(extent_),
@@ -126,8 +125,6 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       flat_.emplace(waves,
                     flat_pressure(grid, Span::wavenumber(waves, span_.planes(), span_.length())));
   if (span_.has_span()) {
-    f_xi_ = Field<double>(extent_);
-    x_flux_ = Field<double>(extent_);
     C_x_ = Field<double>(extent_);
   }
   no_velocity_.resize(static_cast<std::size_t>(extent_.n_theta));
@@ -141,9 +138,13 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
   wall_ = {std::vector<double>(wall), std::vector<double>(wall)};
   wall_velocity_.assign(static_cast<std::size_t>(components_), std::vector<double>(wall));
   guess_.assign(static_cast<std::size_t>(components_), Field<double>(extent_));
+  change_ = guess_;
+  const Field<double> along_the_span = span_.has_span() ? Field<double>(extent_) : Field<double>();
+  change_xi_.assign(guess_.size(), along_the_span);
+  x_flux_ = change_xi_;
   gradient_.assign(span_.has_span() ? 3 : 2, Field<double>(extent_));
-  for (std::vector<double>* vector : {&packed_, &right_, &solution_})
-    vector->resize(extent_.cells());
+  for (std::vector<double>* vector : {&right_, &solution_})
+    vector->resize(guess_.size() * extent_.cells());
 }
 
 double Fluid::stream(int component) const {
@@ -180,39 +181,58 @@ void Fluid::extend_pressure(Field<double>& p) const {
 // --- Operators
 // ------------------------------------------------------------------------------------
 
-void Fluid::balance_of_gradient(const Field<double>& f, bool with_wall_flux,
-                                Field<double>& balance) {
-  const Field<double>* f_xi = nullptr;
-  if (span_.has_span()) {
-    span_.differentiate(f, f_xi_);
-    f_xi = &f_xi_;
-  }
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance);
-  if (!span_.has_span()) return;
-  for_each_row(extent_, [&](int plane, int j) {
+// The integral of lap f over the cells of a plane, without what only its neighbours give: into
+// balance_, and into x_flux the flux along x. f and f_xi with their ghosts.
+void Fluid::balance_plane(int plane, const Field<double>& f, const Field<double>& f_xi,
+                          bool with_wall_flux, Field<double>& x_flux) {
+  const bool has_span = span_.has_span();
+  gradient_balance(metrics_, plane, f, has_span ? &f_xi : nullptr, with_wall_flux, balance_);
+  if (!has_span) return;
+  for (int j = 0; j < extent_.n_rho; ++j) {
     const double *below = f.row(plane, j - 1), *here = f.row(plane, j),
                  *above = f.row(plane, j + 1);
     const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
-    const double *xi = f_xi_.row(plane, j), *volume = metrics_.volume.row(plane, j);
-    double* flux = x_flux_.row(plane, j);
+    const double *xi = f_xi.row(plane, j), *volume = metrics_.volume.row(plane, j);
+    double* flux = x_flux.row(plane, j);
     for (int i = 0; i < extent_.n_theta; ++i)
       flux[i] = volume[i] * (xi[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
                              t_x[i] * 0.5 * (here[i + 1] - here[i - 1]));
-  });
-  span_.differentiate(x_flux_, x_flux_);
+  }
+}
+
+// (C . grad) f in a plane, into carried_, from f with its ghosts.
+void Fluid::carry_plane(int plane, const Field<double>& f, const Field<double>& f_xi) {
+  convection(plane, C_s_, C_t_, f, upwinding_, carried_);
+  if (!span_.has_span()) return;
+  for (int j = 0; j < extent_.n_rho; ++j) {
+    const double *u = C_x_.row(plane, j), *xi = f_xi.row(plane, j);
+    double* sum = carried_.row(0, j);
+    for (int i = 0; i < extent_.n_theta; ++i) sum[i] += u[i] * xi[i];
+  }
+}
+
+// Adds `factor` times the derivative of x_flux by x to packed cells.
+void Fluid::add_x_flux(double factor, Field<double>& x_flux, double* packed) {
+  if (!span_.has_span()) return;
+  span_.differentiate(x_flux, x_flux);
   for_each_row(extent_, [&](int plane, int j) {
-    const double* flux = x_flux_.row(plane, j);
-    double* sum = balance.row(plane, j);
-    for (int i = 0; i < extent_.n_theta; ++i) sum[i] += flux[i];
+    const double* flux = x_flux.row(plane, j);
+    for (int i = 0; i < extent_.n_theta; ++i) *packed++ += factor * flux[i];
   });
 }
 
 void Fluid::pressure_operator(const double* in, double* out) {
-  unpack(in, f_);
-  extend_pressure(f_);
-  balance_of_gradient(f_, false, balance_);
-  pack(balance_, out);
+  Field<double>&f = change_[0], &f_xi = change_xi_[0];
+  unpack(in, f);
+  extend_pressure(f);
+  if (span_.has_span()) span_.differentiate(f, f_xi);
+  double* to = out;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    balance_plane(plane, f, f_xi, false, x_flux_[0]);
+    for (int j = 0; j < extent_.n_rho; ++j)
+      to = std::copy_n(balance_.row(0, j), extent_.n_theta, to);
+  }
+  add_x_flux(1, x_flux_[0], out);
 }
 
 void Fluid::invert_flat_pressure(const double* in, double* out) {
@@ -233,46 +253,46 @@ void Fluid::invert_flat_pressure(const double* in, double* out) {
   span_.to_values(out, plane_cells, plane_cells);
 }
 
-// next_weight V u + V (C . grad) u - 1/Re (balance of u's gradient), u zero at the flag and in the
-// stream.
+// For each component u: next_weight V u + V (C . grad) u - 1/Re (balance of u's gradient), u zero
+// at the flag and in the stream.
 void Fluid::velocity_operator(const double* in, double* out) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
-  unpack(in, f_);
-  const auto extend = [&](bool is_viscous) {
+  const std::size_t cells = extent_.cells();
+  for (std::size_t c = 0; c < guess_.size(); ++c) {
+    Field<double>& f = change_[c];
+    unpack(in + c * cells, f);
     for (int plane = 0; plane < extent_.planes; ++plane) {
-      extend_outward(plane, is_inflow_,
-                     static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta), 0.0,
-                     is_viscous, f_);
-      f_.wrap_theta(plane, n_rho, n_rho + 2);
+      extend_to_wall(plane, no_velocity_.data(), f);
+      f.wrap_theta(plane, -2, n_rho);
+      extend_change_outward(plane, true, f);
     }
-  };
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    extend_to_wall(plane, no_velocity_.data(), f_);
-    f_.wrap_theta(plane, -2, n_rho);
+    if (span_.has_span()) span_.differentiate(f, change_xi_[c]);
   }
-  extend(true);
-  balance_of_gradient(f_, true, balance_);
-  extend(false);
-  convect(f_, work_);
-  for_each_row(extent_, [&](int plane, int j) {
-    const double *balance = balance_.row(plane, j), *volume = metrics_.volume.row(plane, j);
-    const double* carried = work_.row(plane, j);
-    for (int i = 0; i < n_theta; ++i, ++in, ++out)
-      *out = volume[i] * (next_weight_ * *in + carried[i]) - balance[i] / parameters_.Re;
-  });
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    for (std::size_t c = 0; c < guess_.size(); ++c) {
+      balance_plane(plane, change_[c], change_xi_[c], true, x_flux_[c]);
+      extend_change_outward(plane, false, change_[c]);
+      carry_plane(plane, change_[c], change_xi_[c]);
+      const std::size_t first =
+          c * cells + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
+      const double* u = in + first;
+      double* result = out + first;
+      for (int j = 0; j < n_rho; ++j) {
+        const double *balance = balance_.row(0, j), *carried = carried_.row(0, j);
+        const double* volume = metrics_.volume.row(plane, j);
+        for (int i = 0; i < n_theta; ++i, ++u, ++result)
+          *result = volume[i] * (next_weight_ * *u + carried[i]) - balance[i] / parameters_.Re;
+      }
+    }
+  for (std::size_t c = 0; c < guess_.size(); ++c)
+    add_x_flux(-1 / parameters_.Re, x_flux_[c], out + c * cells);
 }
 
-// (C . grad) f, from f with its ghosts; f_xi_ holds its derivative along the span, which
-// balance_of_gradient() leaves there.
-void Fluid::convect(const Field<double>& f, Field<double>& result) {
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    convection(plane, C_s_, C_t_, f, upwinding_, result);
-  if (!span_.has_span()) return;
-  for_each_row(extent_, [&](int plane, int j) {
-    const double *u = C_x_.row(plane, j), *f_xi = f_xi_.row(plane, j);
-    double* sum = result.row(plane, j);
-    for (int i = 0; i < extent_.n_theta; ++i) sum[i] += u[i] * f_xi[i];
-  });
+void Fluid::extend_change_outward(int plane, bool is_viscous, Field<double>& f) const {
+  extend_outward(plane, is_inflow_,
+                 static_cast<std::size_t>(plane) * static_cast<std::size_t>(extent_.n_theta), 0.0,
+                 is_viscous, f);
+  f.wrap_theta(plane, extent_.n_rho, extent_.n_rho + 2);
 }
 
 // velocity_operator() on the lines theta = const, with first-order upwind convection and without
@@ -309,26 +329,29 @@ void Fluid::prepare_lines() {
 
 void Fluid::invert_lines(const double* in, double* out) const {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    const std::size_t first = static_cast<std::size_t>(plane) * extent_.cells_of_plane();
-    const auto row = [&](auto* values, int j) {
-      return values + first + static_cast<std::size_t>(j) * static_cast<std::size_t>(n_theta);
-    };
-    for (int j = 0; j < n_rho; ++j) {
-      const double *f = row(in, j), *lower = line_lower_.row(plane, j);
-      const double* pivot = line_pivot_.row(plane, j);
-      double* u = row(out, j);
-      if (j == 0)
-        for (int i = 0; i < n_theta; ++i) u[i] = f[i] * pivot[i];
-      else
-        for (int i = 0; i < n_theta; ++i) u[i] = (f[i] - lower[i] * row(out, j - 1)[i]) * pivot[i];
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    for (std::size_t c = 0; c < guess_.size(); ++c) {
+      const std::size_t first =
+          c * extent_.cells() + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
+      const auto row = [&](auto* values, int j) {
+        return values + first + static_cast<std::size_t>(j) * static_cast<std::size_t>(n_theta);
+      };
+      for (int j = 0; j < n_rho; ++j) {
+        const double *f = row(in, j), *lower = line_lower_.row(plane, j);
+        const double* pivot = line_pivot_.row(plane, j);
+        double* u = row(out, j);
+        if (j == 0)
+          for (int i = 0; i < n_theta; ++i) u[i] = f[i] * pivot[i];
+        else
+          for (int i = 0; i < n_theta; ++i)
+            u[i] = (f[i] - lower[i] * row(out, j - 1)[i]) * pivot[i];
+      }
+      for (int j = n_rho - 2; j >= 0; --j) {
+        const double *upper = line_upper_.row(plane, j), *next = row(out, j + 1);
+        double* u = row(out, j);
+        for (int i = 0; i < n_theta; ++i) u[i] -= upper[i] * next[i];
+      }
     }
-    for (int j = n_rho - 2; j >= 0; --j) {
-      const double *upper = line_upper_.row(plane, j), *next = row(out, j + 1);
-      double* u = row(out, j);
-      for (int i = 0; i < n_theta; ++i) u[i] -= upper[i] * next[i];
-    }
-  }
 }
 
 // --- The step
@@ -377,16 +400,16 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
     for (int plane = 0; plane < extent_.planes; ++plane) {
       for (int j = 0; j <= extent_.n_rho; ++j) {
         const double *a = d0.row(plane, j), *b = d1.row(plane, j), *c = d2.row(plane, j);
-        double* corner = work_.row(plane, j);
+        double* corner = change_[0].row(plane, j);
         for (int i = 0; i <= n_theta; ++i) corner[i] = D.derivative(a[i], b[i], c[i]);
       }
       for (int j = 0; j < extent_.n_rho; ++j) {
-        const double *below = work_.row(plane, j), *above = work_.row(plane, j + 1);
+        const double *below = change_[0].row(plane, j), *above = change_[0].row(plane, j + 1);
         double* cell = at_cells.row(plane, j);
         for (int i = 0; i < n_theta; ++i)
           cell[i] = 0.25 * (below[i] + below[i + 1] + above[i] + above[i + 1]);
       }
-      const double* corner = work_.row(plane, 0);
+      const double* corner = change_[0].row(plane, 0);
       for (int i = 0; i < n_theta; ++i)
         at_wall[static_cast<std::size_t>(plane * n_theta + i)] = 0.5 * (corner[i] + corner[i + 1]);
     }
@@ -414,13 +437,12 @@ std::array<double, 2> Fluid::centre(const FluidState& state, int plane, int j, i
   return {rest.real() + mean(state.grid[0].y), rest.imag() + mean(state.grid[0].z)};
 }
 
-void Fluid::add_force(const FluidState& state, std::size_t component, double t) {
-  std::size_t cell = 0;
+void Fluid::add_force(const FluidState& state, std::size_t component, double t, double* right) {
   for_each_row(extent_, [&](int plane, int j) {
     for (int i = 0; i < extent_.n_theta; ++i) {
       const auto [y, z] = centre(state, plane, j, i);
-      right_[cell++] += metrics_.volume.row(plane, j)[i] *
-                        manufactured_.force(t, span_.x(plane), y, z)[axis_of[component]];
+      *right++ += metrics_.volume.row(plane, j)[i] *
+                  manufactured_.force(t, span_.x(plane), y, z)[axis_of[component]];
     }
   });
 }
@@ -461,47 +483,64 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
   if (has_span) C_x_ = guess_[along_x];
   prepare_lines();
   extend_pressure(state.p);
-  if (has_span) span_.differentiate(state.p, f_xi_);
+  if (has_span) span_.differentiate(state.p, change_xi_[0]);
   for (int plane = 0; plane < extent_.planes; ++plane)
-    gradient(metrics_, plane, state.p, has_span ? &f_xi_ : nullptr,
+    gradient(metrics_, plane, state.p, has_span ? &change_xi_[0] : nullptr,
              {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
+  const std::size_t cells = extent_.cells();
   for (std::size_t c = 0; c < guess_.size(); ++c) {
-    extend_velocity(state, static_cast<int>(c), guess_[c], true);
-    balance_of_gradient(guess_[c], true, balance_);
-    extend_velocity(state, static_cast<int>(c), guess_[c], false);
-    convect(guess_[c], work_);
-    if (has_span) {  // in the operator, on the change from the guess, aliases are of no account
-      const std::size_t points = work_.values().size() / static_cast<std::size_t>(extent_.planes);
-      span_.dealias(work_.values().data(), points, points);
-    }
-    const bool has_gradient = c < gradient_.size();
-    std::size_t cell = 0;
-    for_each_row(extent_, [&](int plane, int j) {
-      const double *u = state.u[c].row(plane, j), *u_last = state.u_last[c].row(plane, j);
-      const double *carried = work_.row(plane, j), *volume = metrics_.volume.row(plane, j);
-      const double *f = guess_[c].row(plane, j), *balance = balance_.row(plane, j);
-      const double* p_c = has_gradient ? gradient_[c].row(plane, j) : nullptr;
-      for (int i = 0; i < n_theta; ++i)
-        right_[cell++] = balance[i] / parameters_.Re -
-                         volume[i] * (D.next * f[i] + D.last * u[i] + D.before * u_last[i] +
-                                      carried[i] + (has_gradient ? p_c[i] : 0.0));
-    });
-    if (manufactured_.force) add_force(state, c, t);
-    pack(state.u_change[c], solution_.data());
-    const KrylovSummary solved =
-        velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);
-    if (!solved.converged)
-      fail(state.t, fmt::format("the viscous solver stopped after {} iterations with an error of "
-                                "{:.3g}; a smaller dns.dt may help",
-                                solved.iterations, solved.residual));
-    summary.velocity_iterations = std::max(summary.velocity_iterations, solved.iterations);
-    unpack(solution_.data(), state.u_change[c]);
-    cell = 0;
-    for_each_row(extent_, [&](int plane, int j) {
-      double* f = guess_[c].row(plane, j);
-      for (int i = 0; i < n_theta; ++i) f[i] += solution_[cell++];
-    });
+    subtract_equation(state, D, c, right_.data() + c * cells);
+    if (manufactured_.force) add_force(state, c, t, right_.data() + c * cells);
+    pack(state.u_change[c], solution_.data() + c * cells);
   }
+  const KrylovSummary solved =
+      velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);
+  if (!solved.converged)
+    fail(state.t, fmt::format("the viscous solver stopped after {} iterations with an error of "
+                              "{:.3g}; a smaller dns.dt may help",
+                              solved.iterations, solved.residual));
+  summary.velocity_iterations = solved.iterations;
+  for (std::size_t c = 0; c < guess_.size(); ++c) {
+    unpack(solution_.data() + c * cells, state.u_change[c]);
+    combine(1, guess_[c], 1, state.u_change[c], guess_[c]);
+  }
+}
+
+// Minus what the guess leaves of a component's equation, integrated over the cells.
+void Fluid::subtract_equation(const FluidState& state, const BackwardDifference& D,
+                              std::size_t component, double* right) {
+  const bool has_span = span_.has_span(), has_gradient = component < gradient_.size();
+  const auto c = static_cast<int>(component);
+  Field<double>&f = guess_[component], &f_xi = change_xi_[0], &carried = change_[0];
+  extend_velocity(state, c, f, true);
+  if (has_span) span_.differentiate(f, f_xi);
+  double* to = right;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    balance_plane(plane, f, f_xi, true, x_flux_[0]);
+    for (int j = 0; j < extent_.n_rho; ++j)
+      for (int i = 0; i < extent_.n_theta; ++i) *to++ = balance_.row(0, j)[i] / parameters_.Re;
+  }
+  add_x_flux(1 / parameters_.Re, x_flux_[0], right);
+  extend_velocity(state, c, f, false);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    carry_plane(plane, f, f_xi);
+    for (int j = 0; j < extent_.n_rho; ++j)
+      std::copy_n(carried_.row(0, j), extent_.n_theta, carried.row(plane, j));
+  }
+  if (has_span) {  // in the operator, on the change from the guess, aliases are of no account
+    const std::size_t points = carried.values().size() / static_cast<std::size_t>(extent_.planes);
+    span_.dealias(carried.values().data(), points, points);
+  }
+  for_each_row(extent_, [&](int plane, int j) {
+    const double *u = state.u[component].row(plane, j),
+                 *u_last = state.u_last[component].row(plane, j);
+    const double *guess = f.row(plane, j), *volume = metrics_.volume.row(plane, j);
+    const double* convected = carried.row(plane, j);
+    const double* p_c = has_gradient ? gradient_[component].row(plane, j) : nullptr;
+    for (int i = 0; i < extent_.n_theta; ++i)
+      *right++ -= volume[i] * (D.next * guess[i] + D.last * u[i] + D.before * u_last[i] +
+                               convected[i] + (has_gradient ? p_c[i] : 0.0));
+  });
 }
 
 // The pressure that makes the fluxes free of divergence, and the velocity with it.
@@ -515,7 +554,8 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
     for (int plane = 0; plane < extent_.planes; ++plane) guess_[c].wrap_theta(plane, 0, n_rho);
   }
   const Field<double>* u_x = has_span ? &guess_[along_x] : nullptr;
-  std::ranges::fill(balance_.values(), 0.0);
+  Field<double>& divergence = change_[0];  // of the fluxes, integrated over the cells
+  std::ranges::fill(divergence.values(), 0.0);
   for (int plane = 0; plane < extent_.planes; ++plane) {
     velocity_flux(metrics_, plane, u_x, guess_[along_y], guess_[along_z], flux_rho_, flux_theta_);
     const FaceMetrics<double>& faces = metrics_.rho_faces;
@@ -535,24 +575,22 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
       flux_rho_.row(plane, 0)[i] = wall;
       flux_rho_.row(plane, n_rho)[i] = outer;
     }
-    add_balance(plane, flux_rho_, flux_theta_, balance_);
+    add_balance(plane, flux_rho_, flux_theta_, divergence);
   }
-  if (has_span) {
+  pack(divergence, right_.data());
+  if (has_span)
     for_each_row(extent_, [&](int plane, int j) {
       const double *u = u_x->row(plane, j), *volume = metrics_.volume.row(plane, j);
-      double* flux = x_flux_.row(plane, j);
+      double* flux = x_flux_[0].row(plane, j);
       for (int i = 0; i < n_theta; ++i) flux[i] = volume[i] * u[i];
     });
-    span_.differentiate(x_flux_, x_flux_);
-    combine(1, balance_, 1, x_flux_, balance_);
-  }
-  pack(balance_, right_.data());
-  for (double& b : right_) b /= dt;
+  add_x_flux(1, x_flux_[0], right_.data());
+  for (std::size_t cell = 0; cell < extent_.cells(); ++cell) right_[cell] /= dt;
   if (is_start) {
     std::ranges::fill(solution_, 0.0);
   } else {
-    combine(D.guess_last, state.p, D.guess_before, state.p_last, f_);
-    pack(f_, solution_.data());
+    combine(D.guess_last, state.p, D.guess_before, state.p_last, change_[0]);
+    pack(change_[0], solution_.data());
   }
   const KrylovSummary solved =
       pressure_.solve(right_.data(), solution_.data(), tolerances_.pressure);
@@ -564,19 +602,20 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
   std::swap(state.p, state.p_last);
   unpack(solution_.data(), state.p);
   extend_pressure(state.p);
-  if (has_span) span_.differentiate(state.p, f_xi_);
+  Field<double>&p_xi = change_xi_[0], &across_rho = change_[0], &across_theta = change_[1];
+  if (has_span) span_.differentiate(state.p, p_xi);
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    const Field<double>* p_xi = has_span ? &f_xi_ : nullptr;
-    gradient_flux(metrics_, plane, state.p, p_xi, work_, C_s_);
+    const Field<double>* slope = has_span ? &p_xi : nullptr;
+    gradient_flux(metrics_, plane, state.p, slope, across_rho, across_theta);
     for (int j = 0; j <= n_rho; ++j) {
       double *rho = flux_rho_.row(plane, j), *theta = flux_theta_.row(plane, j);
-      const double *p_rho = work_.row(plane, j), *p_theta = C_s_.row(plane, j);
+      const double *p_rho = across_rho.row(plane, j), *p_theta = across_theta.row(plane, j);
       if (j > 0)
         for (int i = 0; i < n_theta; ++i) rho[i] -= dt * p_rho[i];
       if (j < n_rho)
         for (int i = 0; i <= n_theta; ++i) theta[i] -= dt * p_theta[i];
     }
-    gradient(metrics_, plane, state.p, p_xi,
+    gradient(metrics_, plane, state.p, slope,
              {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
     const double* outer = flux_rho_.row(plane, n_rho);
     for (int i = 0; i < n_theta; ++i)

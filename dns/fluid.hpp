@@ -126,13 +126,18 @@ class Fluid {
   void move_grid(FluidState&, const WallMotion&, const BackwardDifference&, double t,
                  FluidStepSummary&);
   void predict(FluidState&, const BackwardDifference&, double t, FluidStepSummary&);
-  void add_force(const FluidState&, std::size_t component, double t);
+  void subtract_equation(const FluidState&, const BackwardDifference&, std::size_t component,
+                         double* right);
+  void add_force(const FluidState&, std::size_t component, double t, double* right);
   void project(FluidState&, const BackwardDifference&, FluidStepSummary&, bool is_start);
-  void balance_of_gradient(const Field<double>& f, bool with_wall_flux, Field<double>& balance);
+  void balance_plane(int plane, const Field<double>& f, const Field<double>& f_xi,
+                     bool with_wall_flux, Field<double>& x_flux);
+  void carry_plane(int plane, const Field<double>& f, const Field<double>& f_xi);
+  void add_x_flux(double factor, Field<double>& x_flux, double* packed);
   void pressure_operator(const double* in, double* out);
   void invert_flat_pressure(const double* in, double* out);
   void velocity_operator(const double* in, double* out);
-  void convect(const Field<double>& f, Field<double>& result);
+  void extend_change_outward(int plane, bool is_viscous, Field<double>&) const;
   void prepare_lines();
   void invert_lines(const double* in, double* out) const;
   void update_all_metrics(const Displacement<double>&);
@@ -160,11 +165,12 @@ class Fluid {
   Field<double> grid_velocity_y_, grid_velocity_z_;
   Field<double> flux_rho_, flux_theta_;
   Displacement<double> slope_;
-  Field<double> f_, f_xi_, x_flux_, work_, balance_;
+  Field<double> balance_, carried_;                         // of one plane
+  std::vector<Field<double>> change_, change_xi_, x_flux_;  // of the components; and to work in
   Field<double> C_x_, C_s_, C_t_;  // what carries the velocity: along x, in cells along s and t
   std::vector<Field<double>> guess_, gradient_;
   Field<double> line_lower_, line_pivot_, line_upper_;
-  std::vector<double> packed_, right_, solution_;
+  std::vector<double> right_, solution_;  // packed: the components one behind the other
 };
 
 }  // namespace pennon::dns

@@ -85,8 +85,8 @@ void add_balance(int plane, const Field<Scalar>& across_rho, const Field<Scalar>
 }
 
 /// The balance of gradient_flux() over the cells of a plane, the integral of lap f without its part
-/// along x. Without the wall's flux: nothing passes through the flag. Works in
-/// three rows of balance's ghosts.
+/// along x, into the first plane of `balance`. Without the wall's flux: nothing passes through the
+/// flag. Works in three rows of balance's ghosts.
 template <class Scalar>
 void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
                       const Field<Scalar>* f_xi, bool with_wall_flux, Field<Scalar>& balance) {
@@ -103,7 +103,7 @@ void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Sca
     const Scalar* area_x = metrics.rho_faces.area_x.row(plane, j);
     for (int i = 0; i < n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi_below[i] + xi_here[i]);
   };
-  Scalar *inward = balance.row(plane, n_rho), *outward = balance.row(plane, -1);
+  Scalar *inward = balance.row(0, n_rho), *outward = balance.row(0, -1);
   if (with_wall_flux)
     flux_across_rho(0, inward);
   else
@@ -114,7 +114,7 @@ void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Sca
                  *above = f.row(plane, j + 1);
     const Scalar* along = metrics.theta_faces.along.row(plane, j);
     const Scalar* across = metrics.theta_faces.across.row(plane, j);
-    Scalar* theta = balance.row(plane, -2);
+    Scalar* theta = balance.row(0, -2);
     for (int i = 0; i <= n_theta; ++i)
       theta[i] = along[i] * (here[i] - here[i - 1]) +
                  across[i] * 0.25 * (above[i] + above[i - 1] - below[i] - below[i - 1]);
@@ -122,7 +122,7 @@ void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Sca
       const Scalar *xi = f_xi->row(plane, j), *area_x = metrics.theta_faces.area_x.row(plane, j);
       for (int i = 0; i <= n_theta; ++i) theta[i] += area_x[i] * 0.5 * (xi[i] + xi[i - 1]);
     }
-    Scalar* out = balance.row(plane, j);
+    Scalar* out = balance.row(0, j);
     for (int i = 0; i < n_theta; ++i) out[i] = outward[i] - inward[i] + theta[i + 1] - theta[i];
     std::swap(inward, outward);
   }
@@ -174,7 +174,7 @@ void convection(int plane, const Field<Scalar>& C_s, const Field<Scalar>& C_t,
     const Scalar *f0 = f.row(plane, j - 2), *f1 = f.row(plane, j - 1), *f2 = f.row(plane, j),
                  *f3 = f.row(plane, j + 1), *f4 = f.row(plane, j + 2);
     const Scalar *s = C_s.row(plane, j), *t = C_t.row(plane, j);
-    Scalar* out = result.row(plane, j);
+    Scalar* out = result.row(0, j);
     for (int i = 0; i < n_theta; ++i) {
       const Scalar centre = 6.0 * f2[i];
       out[i] = s[i] * (near * (f3[i] - f1[i]) + far * (f4[i] - f0[i])) +
