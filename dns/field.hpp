@@ -27,12 +27,15 @@ template <class Scalar>
 class Field {
  public:
   static constexpr int ghosts = 2;
+  // Between the planes: without it, common sizes put the same point of all planes into one set of
+  // the cache, and transforms along x run a tenth slower.
+  static constexpr std::size_t padding = 72;
 
   Field() = default;
   explicit Field(const Extent& extent, Scalar value = Scalar(0))
       : extent_(extent),
         row_(static_cast<std::size_t>(extent.n_theta + 2 * ghosts)),
-        plane_(static_cast<std::size_t>(extent.n_rho + 2 * ghosts) * row_),
+        plane_(static_cast<std::size_t>(extent.n_rho + 2 * ghosts) * row_ + padding),
         values_(static_cast<std::size_t>(extent.planes) * plane_, value) {}
 
   const Extent& extent() const { return extent_; }

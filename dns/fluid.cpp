@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "common/errors.hpp"
@@ -183,16 +183,15 @@ void Fluid::extend_pressure(Field<double>& p) const {
 
 // The integral of lap f over the cells of a plane, without what only its neighbours give: into
 // balance_, and into x_flux the flux along x. f and f_xi with their ghosts.
-void Fluid::balance_plane(int plane, const Field<double>& f, const Field<double>& f_xi,
+void Fluid::balance_plane(int plane, const Field<double>& f, const Field<double>* f_xi,
                           bool with_wall_flux, Field<double>& x_flux) {
-  const bool has_span = span_.has_span();
-  gradient_balance(metrics_, plane, f, has_span ? &f_xi : nullptr, with_wall_flux, balance_);
-  if (!has_span) return;
+  gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance_);
+  if (!f_xi) return;
   for (int j = 0; j < extent_.n_rho; ++j) {
     const double *below = f.row(plane, j - 1), *here = f.row(plane, j),
                  *above = f.row(plane, j + 1);
     const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
-    const double *xi = f_xi.row(plane, j), *volume = metrics_.volume.row(plane, j);
+    const double *xi = f_xi->row(plane, j), *volume = metrics_.volume.row(plane, j);
     double* flux = x_flux.row(plane, j);
     for (int i = 0; i < extent_.n_theta; ++i)
       flux[i] = volume[i] * (xi[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
@@ -201,11 +200,11 @@ void Fluid::balance_plane(int plane, const Field<double>& f, const Field<double>
 }
 
 // (C . grad) f in a plane, into carried_, from f with its ghosts.
-void Fluid::carry_plane(int plane, const Field<double>& f, const Field<double>& f_xi) {
+void Fluid::carry_plane(int plane, const Field<double>& f, const Field<double>* f_xi) {
   convection(plane, C_s_, C_t_, f, upwinding_, carried_);
-  if (!span_.has_span()) return;
+  if (!f_xi) return;
   for (int j = 0; j < extent_.n_rho; ++j) {
-    const double *u = C_x_.row(plane, j), *xi = f_xi.row(plane, j);
+    const double *u = C_x_.row(plane, j), *xi = f_xi->row(plane, j);
     double* sum = carried_.row(0, j);
     for (int i = 0; i < extent_.n_theta; ++i) sum[i] += u[i] * xi[i];
   }
@@ -228,7 +227,7 @@ void Fluid::pressure_operator(const double* in, double* out) {
   if (span_.has_span()) span_.differentiate(f, f_xi);
   double* to = out;
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    balance_plane(plane, f, f_xi, false, x_flux_[0]);
+    balance_plane(plane, f, span_.has_span() ? &f_xi : nullptr, false, x_flux_[0]);
     for (int j = 0; j < extent_.n_rho; ++j)
       to = std::copy_n(balance_.row(0, j), extent_.n_theta, to);
   }
@@ -266,13 +265,13 @@ void Fluid::velocity_operator(const double* in, double* out) {
       f.wrap_theta(plane, -2, n_rho);
       extend_change_outward(plane, true, f);
     }
-    if (span_.has_span()) span_.differentiate(f, change_xi_[c]);
+    if (change_varies_) span_.differentiate(f, change_xi_[c]);
   }
   for (int plane = 0; plane < extent_.planes; ++plane)
     for (std::size_t c = 0; c < guess_.size(); ++c) {
-      balance_plane(plane, change_[c], change_xi_[c], true, x_flux_[c]);
+      balance_plane(plane, change_[c], change_varies_ ? &change_xi_[c] : nullptr, true, x_flux_[c]);
       extend_change_outward(plane, false, change_[c]);
-      carry_plane(plane, change_[c], change_xi_[c]);
+      carry_plane(plane, change_[c], change_varies_ ? &change_xi_[c] : nullptr);
       const std::size_t first =
           c * cells + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
       const double* u = in + first;
@@ -284,6 +283,7 @@ void Fluid::velocity_operator(const double* in, double* out) {
           *result = volume[i] * (next_weight_ * *u + carried[i]) - balance[i] / parameters_.Re;
       }
     }
+  if (!change_varies_) return;
   for (std::size_t c = 0; c < guess_.size(); ++c)
     add_x_flux(-1 / parameters_.Re, x_flux_[c], out + c * cells);
 }
@@ -480,7 +480,7 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
     for (int i = 0; i < n_theta; ++i)
       summary.CFL = std::max(summary.CFL, (std::abs(C_s[i]) + std::abs(C_t[i])) * dt);
   });
-  if (has_span) C_x_ = guess_[along_x];
+  if (has_span) carry_along_span();
   prepare_lines();
   extend_pressure(state.p);
   if (has_span) span_.differentiate(state.p, change_xi_[0]);
@@ -506,6 +506,22 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
   }
 }
 
+// What carries along the span, and whether the change from the guess must be: where neither
+// friction nor convection along x goes far in a step, they may act on the guess alone. That is of
+// second order too, and spares the solver its transforms.
+void Fluid::carry_along_span() {
+  C_x_ = guess_[along_x];
+  double fastest = 0;
+  for_each_row(extent_, [&](int plane, int j) {
+    for (int i = 0; i < extent_.n_theta; ++i)
+      fastest = std::max(fastest, std::abs(C_x_.row(plane, j)[i]));
+  });
+  const double k = std::numbers::pi * span_.planes() / span_.length(), dt = 1 / next_weight_;
+  constexpr double little_friction = 0.1, little_convection = 0.05;  // of a mode in a step
+  change_varies_ = k * k * dt / parameters_.Re > little_friction ||
+                   k * dt * ranks::largest(fastest) > little_convection;
+}
+
 // Minus what the guess leaves of a component's equation, integrated over the cells.
 void Fluid::subtract_equation(const FluidState& state, const BackwardDifference& D,
                               std::size_t component, double* right) {
@@ -516,14 +532,14 @@ void Fluid::subtract_equation(const FluidState& state, const BackwardDifference&
   if (has_span) span_.differentiate(f, f_xi);
   double* to = right;
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    balance_plane(plane, f, f_xi, true, x_flux_[0]);
+    balance_plane(plane, f, has_span ? &f_xi : nullptr, true, x_flux_[0]);
     for (int j = 0; j < extent_.n_rho; ++j)
       for (int i = 0; i < extent_.n_theta; ++i) *to++ = balance_.row(0, j)[i] / parameters_.Re;
   }
   add_x_flux(1 / parameters_.Re, x_flux_[0], right);
   extend_velocity(state, c, f, false);
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    carry_plane(plane, f, f_xi);
+    carry_plane(plane, f, has_span ? &f_xi : nullptr);
     for (int j = 0; j < extent_.n_rho; ++j)
       std::copy_n(carried_.row(0, j), extent_.n_theta, carried.row(plane, j));
   }

@@ -130,9 +130,10 @@ class Fluid {
                          double* right);
   void add_force(const FluidState&, std::size_t component, double t, double* right);
   void project(FluidState&, const BackwardDifference&, FluidStepSummary&, bool is_start);
-  void balance_plane(int plane, const Field<double>& f, const Field<double>& f_xi,
+  void balance_plane(int plane, const Field<double>& f, const Field<double>* f_xi,
                      bool with_wall_flux, Field<double>& x_flux);
-  void carry_plane(int plane, const Field<double>& f, const Field<double>& f_xi);
+  void carry_plane(int plane, const Field<double>& f, const Field<double>* f_xi);
+  void carry_along_span();
   void add_x_flux(double factor, Field<double>& x_flux, double* packed);
   void pressure_operator(const double* in, double* out);
   void invert_flat_pressure(const double* in, double* out);
@@ -156,7 +157,8 @@ class Fluid {
   Krylov pressure_, velocity_;
 
   Manufactured manufactured_;
-  double next_weight_ = 0;  // of the backward difference, for the implicit viscosity
+  double next_weight_ = 0;      // of the backward difference, for the implicit viscosity
+  bool change_varies_ = false;  // whether the velocity's operator has terms along the span
   std::vector<bool> is_inflow_;
   WallShape wall_;
   std::vector<std::vector<double>> wall_velocity_;
