@@ -43,8 +43,7 @@ dns::ShapeFunction mode_of(const Case& the_case) {
   modes::Settings settings = the_case.modes;
   settings.n = {motion.n};
   settings.m = motion.m;
-  const modes::NormalModes found =
-      modes::run(settings, the_case.flag, the_case.flow).modes;
+  const modes::NormalModes found = modes::run(settings, the_case.flag, the_case.flow).modes;
   const modes::NormalMode mode = found.modes.back();
   constexpr int points = 200;
   double largest = 0;
@@ -78,8 +77,8 @@ Answer run_fluid(const Case& the_case, const std::optional<std::filesystem::path
                  const OutputFolder& folder, Record& record, const Options& options) {
   const dns::FluidRunResult result = [&] {
     const auto timer = record.time("dns");
-    return dns::run_fluid(the_case.dns, the_case.flag, the_case.flow, mode_of(the_case),
-                          checkpoint, folder, !options.quiet && ranks::is_leading());
+    return dns::run_fluid(the_case.dns, the_case.flag, the_case.flow, mode_of(the_case), checkpoint,
+                          folder, !options.quiet && ranks::is_leading());
   }();
   const auto timer = record.time("pictures");
   if (ranks::is_leading()) analysis::plot(folder / "history.h5");

@@ -68,7 +68,9 @@ int run(int argc, char** argv) {
   modes->callback([&] { app::run_modes(options); });
 
   std::string restart;
-  CLI::App* dns = app.add_subcommand("dns", "direct simulation of the flag by itself, or of the flow about a flag in prescribed motion");
+  CLI::App* dns = app.add_subcommand(
+      "dns",
+      "direct simulation of the flag by itself, or of the flow about a flag in prescribed motion");
   add_case_options(*dns, options);
   dns->add_option("--restart", restart, "go on from this checkpoint");
   dns->footer("Example: pennon dns data/cases/flag/swinging_membrane.toml");

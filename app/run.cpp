@@ -53,7 +53,7 @@ void run(const Command& command, const Options& options) {
   if (!ranks::is_leading()) return;
   const Json summary = merged_summary(folder, is_same_case, answer.json);
   write_file(folder / "summary.json", summary.dump(2) + "\n");
-  record.write(folder / "record.json");
+  record.write(folder / "record.json", ranks::count());
   if (options.json)
     fmt::print("{}\n", answer.json.dump());
   else if (!options.quiet)

@@ -51,13 +51,13 @@ double Record::wall_seconds() const {
   return seconds_since(begin_);
 }
 
-void Record::write(const std::filesystem::path& file) const {
+void Record::write(const std::filesystem::path& file, int ranks) const {
   nlohmann::ordered_json json;
   json["pennon"] = {{"version", version()}, {"commit", commit()}};
   json["command"] = command_line_;
   json["finished"] = utc_now();
   for (const auto& [name, number] : library_versions()) json["libraries"][name] = number;
-  json["ranks"] = 1;
+  json["ranks"] = ranks;
   json["wall_s"]["total"] = wall_seconds();
   for (const auto& [phase, seconds] : phases_) json["wall_s"][phase] = seconds;
   json["peak_memory_kB"] = peak_memory_kilobytes();

@@ -31,7 +31,7 @@ class Record {
 
   /// Wall seconds since the record was made.
   double wall_seconds() const;
-  void write(const std::filesystem::path& file) const;
+  void write(const std::filesystem::path& file, int ranks) const;
 
  private:
   void add(const std::string& phase, double seconds);

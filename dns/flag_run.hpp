@@ -29,10 +29,10 @@ struct RunResult {
 };
 
 /// Starts from z = zeta(x, y), or straight without it. Computes and writes history.h5, history.csv,
-/// shapes.h5, shapes.xdmf and checkpoint.h5 to the folder. With `restart`, goes on from that checkpoint to the
-/// case's t_end; the result is bit-identical to an uninterrupted run that wrote a checkpoint at the
-/// same time. Settings as check() accepts them. Throws SolverError (the last checkpoint's name in
-/// it), InputError (a checkpoint of another flag), FileError, Interrupted.
+/// shapes.h5, shapes.xdmf and checkpoint.h5 to the folder. With `restart`, goes on from that
+/// checkpoint to the case's t_end; the result is bit-identical to an uninterrupted run that wrote a
+/// checkpoint at the same time. Settings as check() accepts them. Throws SolverError (the last
+/// checkpoint's name in it), InputError (a checkpoint of another flag), FileError, Interrupted.
 RunResult run(const Settings&, const FlagParameters&, const std::optional<ShapeFunction>&,
               const std::optional<std::filesystem::path>& restart, const OutputFolder&,
               bool shows_progress);

@@ -18,7 +18,7 @@ TEST(Record, SaysWhatMadeAResult) {
   { const Record::Timer timer = record.time("read"); }
   { const Record::Timer timer = record.time("compute"); }
   { const Record::Timer timer = record.time("compute"); }
-  record.write(folder / "record.json");
+  record.write(folder / "record.json", 1);
   const auto json = nlohmann::json::parse(read_text(folder / "record.json"));
   EXPECT_EQ(json.at("pennon").at("version"), version());
   EXPECT_EQ(json.at("pennon").at("commit"), commit());
@@ -32,7 +32,7 @@ TEST(Record, SaysWhatMadeAResult) {
 
 TEST(Record, IsWrittenWhateverTheCommandLineHolds) {
   const TemporaryFolder folder;
-  Record("pennon lsa \xff\xfe.toml").write(folder / "record.json");
+  Record("pennon lsa \xff\xfe.toml").write(folder / "record.json", 1);
   EXPECT_TRUE(nlohmann::json::accept(read_text(folder / "record.json")));
 }
 
