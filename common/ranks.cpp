@@ -67,6 +67,16 @@ std::vector<double> gather(std::span<const double> values) {
   return all;
 }
 
+std::vector<double> gather_all(std::span<const double> values) {
+  std::vector<double> all = gather(values);
+  if (count() == 1) return all;
+  auto size = static_cast<int>(all.size());
+  MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  all.resize(static_cast<std::size_t>(size));
+  MPI_Bcast(all.data(), size, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  return all;
+}
+
 void abandon(int exit_code) {
   if (is_parallel()) MPI_Abort(MPI_COMM_WORLD, exit_code);
   std::exit(exit_code);

@@ -26,6 +26,9 @@ void sum(std::span<double> values);  ///< each by itself, in place
 /// leading one.
 std::vector<double> gather(std::span<const double> values);
 
+/// The same on every rank.
+std::vector<double> gather_all(std::span<const double> values);
+
 /// Ends all ranks at once with an exit code: for a fault that one of them alone has met.
 [[noreturn]] void abandon(int exit_code);
 

@@ -355,7 +355,7 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
   Displacement<double>&next = state.grid[0], &last = state.grid[1], &before = state.grid[2];
   combine(D.guess_last, last.y, D.guess_before, before.y, next.y);
   combine(D.guess_last, last.z, D.guess_before, before.z, next.z);
-  double folded = std::numeric_limits<double>::quiet_NaN();  // x of a plane where it does
+  std::array<double, 4> fold{};  // whether there is one, and its x, y, z
   for (int plane = 0; plane < extent_.planes; ++plane) {
     const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
     const EllipticGridSummary found =
@@ -363,12 +363,14 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
                          tolerances_.grid, tolerances_.most_grid_passes);
     summary.grid_passes = std::max(summary.grid_passes, found.passes);
     summary.least_area = std::min(summary.least_area, found.least_area);
-    if (!(found.least_area > 0)) folded = span_.x(plane);
+    if (!(found.least_area > 0)) fold = {1, span_.x(plane), found.worst_y, found.worst_z};
   }
-  if (ranks::any(!std::isnan(folded)))
-    fail(t, fmt::format("the grid folds in the plane x = {:.4g}: the flag bends too sharply for "
-                        "dns.n_theta = {}, or moves too far in a step of dns.dt",
-                        ranks::largest(std::isnan(folded) ? -1 : folded), n_theta));
+  const std::vector<double> folds = ranks::gather_all(fold);
+  for (std::size_t k = 0; k < folds.size(); k += fold.size())
+    if (folds[k] > 0)
+      fail(t, fmt::format("the grid folds at ({:.4g}, {:.4g}, {:.4g}): the flag bends too sharply "
+                          "for dns.n_theta = {}, or moves too far in a step of dns.dt",
+                          folds[k + 1], folds[k + 2], folds[k + 3], n_theta));
   const auto velocity_of = [&](const Field<double>& d0, const Field<double>& d1,
                                const Field<double>& d2, Field<double>& at_cells,
                                std::vector<double>& at_wall) {
@@ -485,7 +487,7 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
                                       carried[i] + (has_gradient ? p_c[i] : 0.0));
     });
     if (manufactured_.force) add_force(state, c, t);
-    std::ranges::fill(solution_, 0.0);
+    pack(state.u_change[c], solution_.data());
     const KrylovSummary solved =
         velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);
     if (!solved.converged)
@@ -493,6 +495,7 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
                                 "{:.3g}; a smaller dns.dt may help",
                                 solved.iterations, solved.residual));
     summary.velocity_iterations = std::max(summary.velocity_iterations, solved.iterations);
+    unpack(solution_.data(), state.u_change[c]);
     cell = 0;
     for_each_row(extent_, [&](int plane, int j) {
       double* f = guess_[c].row(plane, j);
@@ -610,6 +613,7 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   for (int c = 0; c < components_; ++c) {
     state.u.emplace_back(extent_, stream(c));
     state.u_last.emplace_back(extent_, stream(c));
+    state.u_change.emplace_back(extent_);
     guess_[static_cast<std::size_t>(c)] = state.u.back();
     std::ranges::fill(wall_velocity_[static_cast<std::size_t>(c)], 0.0);
   }

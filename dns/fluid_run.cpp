@@ -188,6 +188,7 @@ class FluidRun {
     for (std::size_t c = 0; c < state_.u.size(); ++c) {
       function(fmt::format("/u_{}", c), state_.u[c], cells);
       function(fmt::format("/u_last_{}", c), state_.u_last[c], cells);
+      function(fmt::format("/u_change_{}", c), state_.u_change[c], cells);
     }
     function("/p", state_.p, cells);
     function("/p_last", state_.p_last, cells);
@@ -203,7 +204,7 @@ class FluidRun {
       throw InputError(path.string(), "is not a checkpoint of the fluid");
     const Extent& extent = fluid_.extent();
     state_.u.assign(static_cast<std::size_t>(fluid_.components()), Field<double>(extent));
-    state_.u_last = state_.u;
+    state_.u_last = state_.u_change = state_.u;
     state_.p = state_.p_last = Field<double>(extent);
     state_.grid.assign(3, Displacement<double>(extent));
     const auto read = [&](const std::string& name, Field<double>& f, int rows) {

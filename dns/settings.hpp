@@ -84,7 +84,7 @@ struct FluidSettings {
   Convection convection = Convection::kawamura_kuwahara;
   double pressure_tolerance = 1e-6;
   double velocity_tolerance = 1e-7;
-  double grid_tolerance = 1e-6;
+  double grid_tolerance = 1e-5;
 };
 
 /// Places of the section where the fluid's velocity and pressure are kept, in every plane.
