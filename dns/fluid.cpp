@@ -492,7 +492,8 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
         velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);
     if (!solved.converged)
       fail(state.t, fmt::format("the viscous solver stopped after {} iterations with an error of "
-                                "{:.3g}; a smaller dns.dt may help",
+                                "{:.3g}; a smaller dns.dt or, where the boundary layer is "
+                                "thinner than a cell, a smaller dns.wall_spacing may help",
                                 solved.iterations, solved.residual));
     summary.velocity_iterations = std::max(summary.velocity_iterations, solved.iterations);
     unpack(solution_.data(), state.u_change[c]);
