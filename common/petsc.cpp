@@ -8,13 +8,12 @@
 
 namespace pennon::petsc {
 
-void check(PetscErrorCode code, const std::source_location& place) {
+void check(PetscErrorCode code, const char* file, int line) {
   if (code == 0) return;
   const char* text = nullptr;
   PetscErrorMessage(code, &text, nullptr);
   throw SolverError(fmt::format("PETSc: {} ({}:{})", text ? text : "unknown error",
-                                std::filesystem::path(place.file_name()).filename().string(),
-                                place.line()));
+                                std::filesystem::path(file).filename().string(), line));
 }
 
 Session::Session() {

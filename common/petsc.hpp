@@ -4,14 +4,12 @@
 #include <petscksp.h>
 
 #include <exception>
-#include <source_location>
 #include <utility>
 
 namespace pennon::petsc {
 
 /// Throws SolverError with PETSc's words and the place of the call unless `code` says success.
-void check(PetscErrorCode code,
-           const std::source_location& place = std::source_location::current());
+void check(PetscErrorCode code, const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 /// MPI and PETSc from construction to destruction; the first object of a program that needs them.
 /// Reads PETSc's options from the environment variable PETSC_OPTIONS.

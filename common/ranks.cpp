@@ -61,7 +61,8 @@ std::vector<double> gather(std::span<const double> values) {
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
   std::exclusive_scan(sizes.begin(), sizes.end(), offsets.begin(), 0);
   std::vector<double> all;
-  if (is_leading()) all.resize(static_cast<std::size_t>(offsets.back() + sizes.back()));
+  if (is_leading())
+    all.resize(static_cast<std::size_t>(offsets.back()) + static_cast<std::size_t>(sizes.back()));
   MPI_Gatherv(values.data(), size, MPI_DOUBLE, all.data(), sizes.data(), offsets.data(), MPI_DOUBLE,
               0, MPI_COMM_WORLD);
   return all;

@@ -20,6 +20,12 @@ struct Extent {
     return static_cast<std::size_t>(n_rho) * static_cast<std::size_t>(n_theta);
   }
   std::size_t cells() const { return static_cast<std::size_t>(planes) * cells_of_plane(); }
+  /// Where the wall's (or the outer) face i of a plane stands among those of all planes.
+  std::size_t wall_face(int plane, int i) const {
+    return static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta) +
+           static_cast<std::size_t>(i);
+  }
+  std::size_t wall_faces() const { return wall_face(planes, 0); }
   bool operator==(const Extent&) const = default;
 };
 

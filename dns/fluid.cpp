@@ -411,7 +411,7 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
       }
       const double* corner = change_[0].row(plane, 0);
       for (int i = 0; i < n_theta; ++i)
-        at_wall[static_cast<std::size_t>(plane * n_theta + i)] = 0.5 * (corner[i] + corner[i + 1]);
+        at_wall[extent_.wall_face(plane, i)] = 0.5 * (corner[i] + corner[i + 1]);
     }
   };
   velocity_of(next.y, last.y, before.y, grid_velocity_y_, wall_velocity_[along_y]);
@@ -424,7 +424,7 @@ void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardD
       const std::array<double, 3> velocity = manufactured_.wall_velocity(
           t, span_.x(plane), rest.real() + 0.5 * (y[0] + y[1]), rest.imag() + 0.5 * (z[0] + z[1]));
       for (std::size_t c = 0; c < wall_velocity_.size(); ++c)
-        wall_velocity_[c][static_cast<std::size_t>(plane * n_theta + i)] = velocity[axis_of[c]];
+        wall_velocity_[c][extent_.wall_face(plane, i)] = velocity[axis_of[c]];
     }
 }
 
@@ -497,7 +497,8 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
       velocity_.solve(right_.data(), solution_.data(), tolerances_.velocity);
   if (!solved.converged)
     fail(state.t, fmt::format("the viscous solver stopped after {} iterations with an error of "
-                              "{:.3g}; a smaller dns.dt may help",
+                              "{:.3g}; a smaller dns.dt or, where the boundary layer is "
+                              "thinner than a cell, a smaller dns.wall_spacing may help",
                               solved.iterations, solved.residual));
   summary.velocity_iterations = solved.iterations;
   for (std::size_t c = 0; c < guess_.size(); ++c) {
@@ -576,7 +577,7 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
     velocity_flux(metrics_, plane, u_x, guess_[along_y], guess_[along_z], flux_rho_, flux_theta_);
     const FaceMetrics<double>& faces = metrics_.rho_faces;
     for (int i = 0; i < n_theta; ++i) {
-      const std::size_t face = static_cast<std::size_t>(plane * n_theta + i);
+      const std::size_t face = extent_.wall_face(plane, i);
       const auto outside = [&](const Field<double>& f) {
         return 1.5 * f.row(plane, n_rho - 1)[i] - 0.5 * f.row(plane, n_rho - 2)[i];
       };
@@ -634,8 +635,7 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
     gradient(metrics_, plane, state.p, slope,
              {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
     const double* outer = flux_rho_.row(plane, n_rho);
-    for (int i = 0; i < n_theta; ++i)
-      state.is_inflow[static_cast<std::size_t>(plane * n_theta + i)] = outer[i] < 0;
+    for (int i = 0; i < n_theta; ++i) state.is_inflow[extent_.wall_face(plane, i)] = outer[i] < 0;
   }
   for (std::size_t c = 0; c < guess_.size(); ++c) {
     std::swap(state.u_last[c], state.u[c]);
@@ -673,7 +673,7 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
     std::ranges::fill(wall_velocity_[static_cast<std::size_t>(c)], 0.0);
   }
   state.p = state.p_last = Field<double>(extent_);
-  state.is_inflow.resize(static_cast<std::size_t>(extent_.planes * extent_.n_theta));
+  state.is_inflow.resize(extent_.wall_faces());
   FluidStepSummary summary;
   BackwardDifference unit(1, 0);
   project(state, unit, summary, true);

@@ -69,7 +69,7 @@ WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
         if (u.slope())
           flux += faces.area_x.row(plane, 0)[i] * 0.5 *
                   (u.f_xi.row(plane, 0)[i] + u.f_xi.row(plane, -1)[i]);
-        const auto face = static_cast<std::size_t>(plane * extent.n_theta + i);
+        const std::size_t face = extent.wall_face(plane, i);
         traction.force[axis][face] += nu * flux;
         const double A_y = faces.area_y.row(plane, 0)[i], A_z = faces.area_z.row(plane, 0)[i];
         // The tangent of growing theta is (-A_z, A_y)/|A|.
@@ -126,7 +126,7 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
         }
       const int n = extent.n_rho;
       for (int i = 0; i < extent.n_theta; ++i) {
-        const auto face = static_cast<std::size_t>(plane * extent.n_theta + i);
+        const std::size_t face = extent.wall_face(plane, i);
         // What leaves is what the last cells hold; what enters is the stream, without disturbance.
         const double flux = share * fluid.flux_across_rho().row(plane, n)[i];
         if (flux > 0) {

@@ -78,7 +78,7 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
   const int planes = fluid.extent().planes, n_theta = fluid.extent().n_theta;
   for (int plane = 0; plane < planes; ++plane)
     for (int i = 0; i < n_theta; ++i)
-      pressure_drag -= 2 * traction.pressure[static_cast<std::size_t>(plane * n_theta + i)] *
+      pressure_drag -= 2 * traction.pressure[fluid.extent().wall_face(plane, i)] *
                        faces.area_y.row(plane, 0)[i] / fluid.span().planes();
   pressure_drag = ranks::sum(pressure_drag);
   FluidRow row = {state.t,

@@ -22,6 +22,8 @@ class Span {
   /// planes.
   Span(int planes, double length);
   ~Span();
+  Span(const Span&) = delete;
+  Span& operator=(const Span&) = delete;
   Span(Span&&) noexcept;
   Span& operator=(Span&&) noexcept;
 

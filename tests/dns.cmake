@@ -17,3 +17,7 @@ pennon_test(test_fluid_validation LABEL validation
                     validation/fluid_large_grid.cpp
             LINK pennon::dns)
 pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp unit/fluid_parts.cpp LINK pennon::dns)
+
+# Not a test: draws the fluid's pictures of docs/accuracy.md.
+add_executable(fluid_pictures support/fluid_pictures.cpp)
+target_link_libraries(fluid_pictures PRIVATE pennon_options pennon::analysis)

@@ -21,7 +21,6 @@ using test::bad_input;
 using test::done;
 using test::not_converged;
 using test::Outcome;
-using test::source;
 using testing::HasSubstr;
 
 class DnsFluid : public test::Commands {

@@ -31,6 +31,7 @@ inline pid_t start_program(const std::vector<std::string>& words, const std::fil
        {std::pair(out, STDOUT_FILENO), std::pair(err, STDERR_FILENO)})
     dup2(open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), descriptor);
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   execv(argv[0], argv.data());
