@@ -20,8 +20,10 @@ constexpr double gamma_of_span = 2;
 
 WallMotion travelling_wave(const OGrid& grid, const Span& span) {
   std::vector<double> chord;
+  chord.reserve(static_cast<std::size_t>(grid.n_theta()));
   for (int i = 0; i < grid.n_theta(); ++i) chord.push_back((1 + std::cos(grid.theta(i))) / 2);
   std::vector<double> share;
+  share.reserve(static_cast<std::size_t>(span.local_planes()));
   for (int m = 0; m < span.local_planes(); ++m)
     share.push_back(span.has_span()
                         ? 1 + 0.5 * std::cos(2 * std::numbers::pi * span.x(m) / span.length())
