@@ -72,7 +72,7 @@ struct FluidStepTimes {
 
 struct FluidStepSummary {
   int pressure_iterations = 0;
-  int velocity_iterations = 0;  ///< the most of a component
+  int velocity_iterations = 0;  ///< the more of (v, w) and u
   int grid_passes = 0;          ///< the most of a plane
   double least_area = 1;        ///< of a cell, over its area at rest
   double CFL = 0;               ///< largest Courant number, sum over the directions
@@ -122,6 +122,9 @@ class Fluid {
   void adopt_grid(const FluidState&);
 
  private:
+  struct Components {  // of FluidState::u, first to end - 1
+    std::size_t first, end;
+  };
   double stream(int component) const;
   void move_grid(FluidState&, const WallMotion&, const BackwardDifference&, double t,
                  FluidStepSummary&);
@@ -137,10 +140,10 @@ class Fluid {
   void add_x_flux(double factor, Field<double>& x_flux, double* packed);
   void pressure_operator(const double* in, double* out);
   void invert_flat_pressure(const double* in, double* out);
-  void velocity_operator(const double* in, double* out);
+  void velocity_operator(const Components&, const double* in, double* out);
   void extend_change_outward(int plane, bool is_viscous, Field<double>&) const;
   void prepare_lines();
-  void invert_lines(const double* in, double* out) const;
+  void invert_lines(const Components&, const double* in, double* out) const;
   void update_all_metrics(const Displacement<double>&);
   [[noreturn]] void fail(double t, const std::string& what) const;
 
@@ -154,7 +157,7 @@ class Fluid {
   EllipticGrid elliptic_;
   Metrics<double> metrics_;
   std::map<int, SeparableSolver> flat_;  // by the number of waves along the span
-  Krylov pressure_, velocity_;
+  Krylov pressure_, velocity_in_plane_, velocity_along_span_;
 
   Manufactured manufactured_;
   double next_weight_ = 0;      // of the backward difference, for the implicit viscosity
