@@ -5,6 +5,8 @@ target_compile_options(pennon_options INTERFACE -Wall -Wextra -Wpedantic -Wshado
 # Sums and products are rounded one by one, so that scalar and vector code and every machine give the
 # same bits; square roots neither set errno nor trap, so that loops over them become vector code.
 target_compile_options(pennon_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+# Threads would share out Eigen's products by their number, and with it the rounding.
+target_compile_definitions(pennon_options INTERFACE EIGEN_DONT_PARALLELIZE)
 target_include_directories(pennon_options INTERFACE ${PROJECT_SOURCE_DIR})
 if(PENNON_SANITIZE)
   target_compile_options(pennon_options INTERFACE
