@@ -15,6 +15,7 @@
 #include "common/progress.hpp"
 #include "dns/flag_statics.hpp"
 #include "dns/flag_stepper.hpp"
+#include "dns/schedule.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -180,9 +181,7 @@ class FlagRun {
   // Whether a multiple of the interval lies in the last step; interval 0: `always`.
   bool is_due(double interval, bool always) const {
     if (interval <= 0) return always;
-    constexpr double slack = 1e-9;  // of an interval, for times that are multiples but for rounding
-    const auto passed = [&](double t) { return std::floor(t / interval + slack); };
-    return passed(state_.t) > passed(static_cast<double>(step_ - 1) * settings_.dt);
+    return passes_multiple(interval, static_cast<double>(step_ - 1) * settings_.dt, state_.t);
   }
 
   void advance_to(double target) {

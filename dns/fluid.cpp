@@ -467,10 +467,8 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
   const bool has_span = span_.has_span();
   is_inflow_ = state.is_inflow;
   next_weight_ = D.next;
-  for (std::size_t c = 0; c < guess_.size(); ++c) {
+  for (std::size_t c = 0; c < guess_.size(); ++c)
     combine(D.guess_last, state.u[c], D.guess_before, state.u_last[c], guess_[c]);
-    extend_velocity(state, static_cast<int>(c), guess_[c], false);
-  }
   const double dt = D.guess_before == 0 ? 1 / D.next : (1 + D.guess_last) / (D.guess_last * D.next);
   for_each_row(extent_, [&](int plane, int j) {
     const double *v = guess_[along_y].row(plane, j), *w = guess_[along_z].row(plane, j);

@@ -33,42 +33,50 @@ Scalar magnitude(const Scalar& C) {
   return std::real(C) < 0 ? -C : C;
 }
 
+/// area . grad f through the n_theta faces across rho of row j; f_xi at the cells, with ghosts.
+template <class Scalar>
+void gradient_flux_across_rho(const Metrics<Scalar>& metrics, int plane, int j,
+                              const Field<Scalar>& f, const Field<Scalar>* f_xi, Scalar* flux) {
+  const int n_theta = f.extent().n_theta;
+  const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j);
+  const Scalar* along = metrics.rho_faces.along.row(plane, j);
+  const Scalar* across = metrics.rho_faces.across.row(plane, j);
+  for (int i = 0; i < n_theta; ++i)
+    flux[i] = along[i] * (here[i] - below[i]) +
+              across[i] * 0.25 * (here[i + 1] - here[i - 1] + below[i + 1] - below[i - 1]);
+  if (!f_xi) return;
+  const Scalar *xi_below = f_xi->row(plane, j - 1), *xi_here = f_xi->row(plane, j);
+  const Scalar* area_x = metrics.rho_faces.area_x.row(plane, j);
+  for (int i = 0; i < n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi_below[i] + xi_here[i]);
+}
+
+/// The same through the n_theta + 1 faces across theta of row j.
+template <class Scalar>
+void gradient_flux_across_theta(const Metrics<Scalar>& metrics, int plane, int j,
+                                const Field<Scalar>& f, const Field<Scalar>* f_xi, Scalar* flux) {
+  const int n_theta = f.extent().n_theta;
+  const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j), *above = f.row(plane, j + 1);
+  const Scalar* along = metrics.theta_faces.along.row(plane, j);
+  const Scalar* across = metrics.theta_faces.across.row(plane, j);
+  for (int i = 0; i <= n_theta; ++i)
+    flux[i] = along[i] * (here[i] - here[i - 1]) +
+              across[i] * 0.25 * (above[i] + above[i - 1] - below[i] - below[i - 1]);
+  if (!f_xi) return;
+  const Scalar *xi = f_xi->row(plane, j), *area_x = metrics.theta_faces.area_x.row(plane, j);
+  for (int i = 0; i <= n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi[i] + xi[i - 1]);
+}
+
 /// area . grad f through the faces of a plane: rows 0 .. n_rho across rho, columns 0 .. n_theta
-/// across theta. f_xi at the cells, with ghosts.
+/// across theta.
 template <class Scalar>
 void gradient_flux(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
                    const Field<Scalar>* f_xi, Field<Scalar>& across_rho,
                    Field<Scalar>& across_theta) {
-  const auto& [n_rho, n_theta] = std::pair(f.extent().n_rho, f.extent().n_theta);
-  for (int j = 0; j <= n_rho; ++j) {
-    const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j);
-    const Scalar* along = metrics.rho_faces.along.row(plane, j);
-    const Scalar* across = metrics.rho_faces.across.row(plane, j);
-    Scalar* flux = across_rho.row(plane, j);
-    for (int i = 0; i < n_theta; ++i)
-      flux[i] = along[i] * (here[i] - below[i]) +
-                across[i] * 0.25 * (here[i + 1] - here[i - 1] + below[i + 1] - below[i - 1]);
-    if (f_xi) {
-      const Scalar *xi_below = f_xi->row(plane, j - 1), *xi_here = f_xi->row(plane, j);
-      const Scalar* area_x = metrics.rho_faces.area_x.row(plane, j);
-      for (int i = 0; i < n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi_below[i] + xi_here[i]);
-    }
-  }
-  for (int j = 0; j < n_rho; ++j) {
-    const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j),
-                 *above = f.row(plane, j + 1);
-    const Scalar* along = metrics.theta_faces.along.row(plane, j);
-    const Scalar* across = metrics.theta_faces.across.row(plane, j);
-    Scalar* flux = across_theta.row(plane, j);
-    for (int i = 0; i <= n_theta; ++i)
-      flux[i] = along[i] * (here[i] - here[i - 1]) +
-                across[i] * 0.25 * (above[i] + above[i - 1] - below[i] - below[i - 1]);
-    if (f_xi) {
-      const Scalar* xi = f_xi->row(plane, j);
-      const Scalar* area_x = metrics.theta_faces.area_x.row(plane, j);
-      for (int i = 0; i <= n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi[i] + xi[i - 1]);
-    }
-  }
+  const int n_rho = f.extent().n_rho;
+  for (int j = 0; j <= n_rho; ++j)
+    gradient_flux_across_rho(metrics, plane, j, f, f_xi, across_rho.row(plane, j));
+  for (int j = 0; j < n_rho; ++j)
+    gradient_flux_across_theta(metrics, plane, j, f, f_xi, across_theta.row(plane, j));
 }
 
 /// Adds the sum of the fluxes out of each cell of a plane to `sum` (at the cells).
@@ -91,37 +99,15 @@ template <class Scalar>
 void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
                       const Field<Scalar>* f_xi, bool with_wall_flux, Field<Scalar>& balance) {
   const int n_rho = f.extent().n_rho, n_theta = f.extent().n_theta;
-  const auto flux_across_rho = [&](int j, Scalar* flux) {
-    const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j);
-    const Scalar* along = metrics.rho_faces.along.row(plane, j);
-    const Scalar* across = metrics.rho_faces.across.row(plane, j);
-    for (int i = 0; i < n_theta; ++i)
-      flux[i] = along[i] * (here[i] - below[i]) +
-                across[i] * 0.25 * (here[i + 1] - here[i - 1] + below[i + 1] - below[i - 1]);
-    if (!f_xi) return;
-    const Scalar *xi_below = f_xi->row(plane, j - 1), *xi_here = f_xi->row(plane, j);
-    const Scalar* area_x = metrics.rho_faces.area_x.row(plane, j);
-    for (int i = 0; i < n_theta; ++i) flux[i] += area_x[i] * 0.5 * (xi_below[i] + xi_here[i]);
-  };
   Scalar *inward = balance.row(0, n_rho), *outward = balance.row(0, -1);
+  Scalar* theta = balance.row(0, -2);
   if (with_wall_flux)
-    flux_across_rho(0, inward);
+    gradient_flux_across_rho(metrics, plane, 0, f, f_xi, inward);
   else
     std::fill_n(inward, n_theta, Scalar(0));
   for (int j = 0; j < n_rho; ++j) {
-    flux_across_rho(j + 1, outward);
-    const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j),
-                 *above = f.row(plane, j + 1);
-    const Scalar* along = metrics.theta_faces.along.row(plane, j);
-    const Scalar* across = metrics.theta_faces.across.row(plane, j);
-    Scalar* theta = balance.row(0, -2);
-    for (int i = 0; i <= n_theta; ++i)
-      theta[i] = along[i] * (here[i] - here[i - 1]) +
-                 across[i] * 0.25 * (above[i] + above[i - 1] - below[i] - below[i - 1]);
-    if (f_xi) {
-      const Scalar *xi = f_xi->row(plane, j), *area_x = metrics.theta_faces.area_x.row(plane, j);
-      for (int i = 0; i <= n_theta; ++i) theta[i] += area_x[i] * 0.5 * (xi[i] + xi[i - 1]);
-    }
+    gradient_flux_across_rho(metrics, plane, j + 1, f, f_xi, outward);
+    gradient_flux_across_theta(metrics, plane, j, f, f_xi, theta);
     Scalar* out = balance.row(0, j);
     for (int i = 0; i < n_theta; ++i) out[i] = outward[i] - inward[i] + theta[i + 1] - theta[i];
     std::swap(inward, outward);
@@ -161,7 +147,7 @@ void gradient(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
 }
 
 /// C_s f_s + C_t f_t at the cells of a plane: f carried by the velocity (C_s, C_t) in cells per
-/// time.
+/// time, into the first plane of `result`.
 template <class Scalar>
 void convection(int plane, const Field<Scalar>& C_s, const Field<Scalar>& C_t,
                 const Field<Scalar>& f, const Upwinding& upwinding, Field<Scalar>& result) {
@@ -186,10 +172,9 @@ void convection(int plane, const Field<Scalar>& C_s, const Field<Scalar>& C_t,
   }
 }
 
-/// area . u through the faces of a plane, from the velocity at the cells with ghosts: rows 1 ..
-/// n_rho
-/// - 1 across rho (the wall's and the outer ones are the boundary conditions' affair), all columns
-/// across theta. u_x null: no span.
+/// area . u through the faces of a plane, from the velocity at the cells with ghosts: rows
+/// 1 .. n_rho - 1 across rho (the wall's and the outer ones are the boundary conditions' affair),
+/// all columns across theta. u_x null: no span.
 template <class Scalar>
 void velocity_flux(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>* u_x,
                    const Field<Scalar>& u_y, const Field<Scalar>& u_z, Field<Scalar>& across_rho,
