@@ -10,7 +10,7 @@
 
 #include "common/errors.hpp"
 #include "common/ranks.hpp"
-#include "dns/ghosts.hpp"
+#include "dns/packing.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -19,53 +19,6 @@ namespace {
 constexpr int along_y = 0, along_z = 1, along_x = 2;
 // Which of x, y, z each of them is.
 constexpr std::array<std::size_t, 3> axis_of = {1, 2, 0};
-
-// The pressure's operator on the flat grid for one spanwise wavenumber, each cell's divided by
-// sR_j sTheta_i: see metrics.cpp for these, docs/theory/fluid.md for the derivation.
-SeparableSolver flat_pressure(const OGrid& grid, double k) {
-  const int n_rho = grid.n_rho(), n_theta = grid.n_theta();
-  Tridiagonal along_rho{Eigen::VectorXd::Zero(n_rho), Eigen::VectorXd(n_rho),
-                        Eigen::VectorXd::Zero(n_rho)};
-  for (int j = 0; j < n_rho; ++j) {
-    const double sR = 2 * std::sinh(grid.rho_step(j) / 2);
-    const double below = j > 0 ? 1 / grid.rho_face_step(j) : 0;
-    const double above = 1 / grid.rho_face_step(j + 1);
-    along_rho.lower[j] = below / sR;
-    along_rho.upper[j] = j + 1 < n_rho ? above / sR : 0;
-    const double outer = j + 1 < n_rho ? 1 : 2;  // p = 0 on the face
-    along_rho.diagonal[j] =
-        -(below + outer * above) / sR - k * k / 4 * std::pow(std::sinh(grid.rho_centre(j)), 2);
-  }
-  Eigen::VectorXd S(n_theta);
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n_theta, n_theta);
-  for (int i = 0; i < n_theta; ++i) {
-    S[i] = 2 * std::sin(grid.theta_step(i) / 2);
-    const double before = 1 / grid.theta_face_step(i), behind = 1 / grid.theta_face_step(i + 1);
-    A(i, (i + n_theta - 1) % n_theta) += before;
-    A(i, (i + 1) % n_theta) += behind;
-    A(i, i) -= before + behind + S[i] * k * k / 4 * std::pow(std::sin(grid.theta_centre(i)), 2);
-  }
-  return {along_rho, ThetaBasis(S, A, k == 0 && grid.is_theta_uniform())};
-}
-
-template <class Function>
-void for_each_row(const Extent& extent, const Function& function) {
-  for (int plane = 0; plane < extent.planes; ++plane)
-    for (int j = 0; j < extent.n_rho; ++j) function(plane, j);
-}
-
-void pack(const Field<double>& f, double* packed) {
-  for_each_row(f.extent(), [&](int plane, int j) {
-    packed = std::copy_n(f.row(plane, j), f.extent().n_theta, packed);
-  });
-}
-
-void unpack(const double* packed, Field<double>& f) {
-  for_each_row(f.extent(), [&](int plane, int j) {
-    std::copy_n(packed, f.extent().n_theta, f.row(plane, j));
-    packed += f.extent().n_theta;
-  });
-}
 
 // sum = a f + b g, ghosts too.
 void combine(double a, const Field<double>& f, double b, const Field<double>& g,
@@ -109,17 +62,13 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
           [this](const double* in, double* out) {
             velocity_operator({0, 2}, in, out);
           },
-          [this](const double* in, double* out) {
-            invert_lines({0, 2}, in, out);
-          }),
+          [this](const double* in, double* out) { lines_.invert(2, in, out); }),
       velocity_along_span_(
           components_ > 2 ? extent_.cells() : 0, {"velocity", 200, 10},
           [this](const double* in, double* out) {
             velocity_operator({2, 3}, in, out);
           },
-          [this](const double* in, double* out) {
-            invert_lines({2, 3}, in, out);
-          }),
+          [this](const double* in, double* out) { lines_.invert(1, in, out); }),
       grid_velocity_y_(extent_),
       grid_velocity_z_(extent_),
       flux_rho_(extent_),
@@ -129,22 +78,12 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       carried_(balance_.extent()),
       C_s_(extent_),
       C_t_(extent_),
-      line_lower_(extent_),
-      line_pivot_(extent_),
-      line_upper_(extent_) {
+      lines_(extent_) {
   for (int plane = 0; plane < extent_.planes; ++plane)
     if (const int waves = span_.waves(plane); !span_.is_dropped(plane) && !flat_.contains(waves))
-      flat_.emplace(waves,
-                    flat_pressure(grid, Span::wavenumber(waves, span_.planes(), span_.length())));
-  if (span_.has_span()) {
-    C_x_ = Field<double>(extent_);
-  }
+      flat_.try_emplace(waves, grid, Span::wavenumber(waves, span_.planes(), span_.length()));
+  if (span_.has_span()) C_x_ = Field<double>(extent_);
   no_velocity_.resize(static_cast<std::size_t>(extent_.n_theta));
-  inverse_flat_area_.resize(extent_.n_rho, extent_.n_theta);
-  for (int j = 0; j < extent_.n_rho; ++j)
-    for (int i = 0; i < extent_.n_theta; ++i)
-      inverse_flat_area_(j, i) =
-          1 / (4 * std::sinh(grid.rho_step(j) / 2) * std::sin(grid.theta_step(i) / 2));
   const std::size_t wall =
       static_cast<std::size_t>(extent_.planes) * static_cast<std::size_t>(extent_.n_theta);
   wall_ = {std::vector<double>(wall), std::vector<double>(wall)};
@@ -168,205 +107,6 @@ void Fluid::fail(double t, const std::string& what) const {
   throw SolverError(fmt::format("at t = {:.6g}: {}", t, what));
 }
 
-void Fluid::extend_velocity(const FluidState& state, int component, Field<double>& f,
-                            bool is_viscous) const {
-  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
-    extend_to_wall(plane, wall_velocity_[static_cast<std::size_t>(component)].data() + first, f);
-    extend_outward(plane, state.is_inflow, first, stream(component), is_viscous, f);
-    f.wrap_theta(plane, -2, n_rho + 2);
-  }
-}
-
-void Fluid::extend_pressure(Field<double>& p) const {
-  const int n_rho = extent_.n_rho;
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    extrapolate_to_wall(plane, p);
-    const double* last = p.row(plane, n_rho - 1);
-    double* ghost = p.row(plane, n_rho);
-    for (int i = 0; i < extent_.n_theta; ++i) ghost[i] = -last[i];  // p = 0 between them
-    p.wrap_theta(plane, -1, n_rho + 1);
-  }
-}
-
-// --- Operators
-// ------------------------------------------------------------------------------------
-
-// The integral of lap f over the cells of a plane, without what only its neighbours give: into
-// balance_, and into x_flux the flux along x. f and f_xi with their ghosts.
-void Fluid::balance_plane(int plane, const Field<double>& f, const Field<double>* f_xi,
-                          bool with_wall_flux, Field<double>& x_flux) {
-  gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance_);
-  if (!f_xi) return;
-  for (int j = 0; j < extent_.n_rho; ++j) {
-    const double *below = f.row(plane, j - 1), *here = f.row(plane, j),
-                 *above = f.row(plane, j + 1);
-    const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
-    const double *xi = f_xi->row(plane, j), *volume = metrics_.volume.row(plane, j);
-    double* flux = x_flux.row(plane, j);
-    for (int i = 0; i < extent_.n_theta; ++i)
-      flux[i] = volume[i] * (xi[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
-                             t_x[i] * 0.5 * (here[i + 1] - here[i - 1]));
-  }
-}
-
-// (C . grad) f in a plane, into carried_, from f with its ghosts.
-void Fluid::carry_plane(int plane, const Field<double>& f, const Field<double>* f_xi) {
-  convection(plane, C_s_, C_t_, f, upwinding_, carried_);
-  if (!f_xi) return;
-  for (int j = 0; j < extent_.n_rho; ++j) {
-    const double *u = C_x_.row(plane, j), *xi = f_xi->row(plane, j);
-    double* sum = carried_.row(0, j);
-    for (int i = 0; i < extent_.n_theta; ++i) sum[i] += u[i] * xi[i];
-  }
-}
-
-// Adds `factor` times the derivative of x_flux by x to packed cells.
-void Fluid::add_x_flux(double factor, Field<double>& x_flux, double* packed) {
-  if (!span_.has_span()) return;
-  span_.differentiate(x_flux, x_flux);
-  for_each_row(extent_, [&](int plane, int j) {
-    const double* flux = x_flux.row(plane, j);
-    for (int i = 0; i < extent_.n_theta; ++i) *packed++ += factor * flux[i];
-  });
-}
-
-void Fluid::pressure_operator(const double* in, double* out) {
-  Field<double>&f = change_[0], &f_xi = change_xi_[0];
-  unpack(in, f);
-  extend_pressure(f);
-  if (span_.has_span()) span_.differentiate(f, f_xi);
-  double* to = out;
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    balance_plane(plane, f, span_.has_span() ? &f_xi : nullptr, false, x_flux_[0]);
-    for (int j = 0; j < extent_.n_rho; ++j)
-      to = std::copy_n(balance_.row(0, j), extent_.n_theta, to);
-  }
-  add_x_flux(1, x_flux_[0], out);
-}
-
-void Fluid::invert_flat_pressure(const double* in, double* out) {
-  const std::size_t plane_cells = extent_.cells_of_plane();
-  std::copy_n(in, extent_.cells(), out);
-  span_.to_coefficients(out, plane_cells, plane_cells);
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    double* values = out + static_cast<std::size_t>(plane) * plane_cells;
-    if (span_.is_dropped(plane)) {
-      std::fill_n(values, plane_cells, 0.0);
-      continue;
-    }
-    double* value = values;
-    for (int j = 0; j < extent_.n_rho; ++j)
-      for (int i = 0; i < extent_.n_theta; ++i) *value++ *= inverse_flat_area_(j, i);
-    flat_.at(span_.waves(plane)).solve(values);
-  }
-  span_.to_values(out, plane_cells, plane_cells);
-}
-
-// For each component u: next_weight V u + V (C . grad) u - 1/Re (balance of u's gradient), u zero
-// at the flag and in the stream.
-void Fluid::velocity_operator(const Components& components, const double* in, double* out) {
-  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
-  const std::size_t cells = extent_.cells();
-  const auto [first, end] = components;
-  for (std::size_t c = first; c < end; ++c) {
-    Field<double>& f = change_[c];
-    unpack(in + (c - first) * cells, f);
-    for (int plane = 0; plane < extent_.planes; ++plane) {
-      extend_to_wall(plane, no_velocity_.data(), f);
-      f.wrap_theta(plane, -2, n_rho);
-      extend_change_outward(plane, true, f);
-    }
-    if (change_varies_) span_.differentiate(f, change_xi_[c]);
-  }
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    for (std::size_t c = first; c < end; ++c) {
-      balance_plane(plane, change_[c], change_varies_ ? &change_xi_[c] : nullptr, true, x_flux_[c]);
-      extend_change_outward(plane, false, change_[c]);
-      carry_plane(plane, change_[c], change_varies_ ? &change_xi_[c] : nullptr);
-      const std::size_t offset =
-          (c - first) * cells + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
-      const double* u = in + offset;
-      double* result = out + offset;
-      for (int j = 0; j < n_rho; ++j) {
-        const double *balance = balance_.row(0, j), *carried = carried_.row(0, j);
-        const double* volume = metrics_.volume.row(plane, j);
-        for (int i = 0; i < n_theta; ++i, ++u, ++result)
-          *result = volume[i] * (next_weight_ * *u + carried[i]) - balance[i] / parameters_.Re;
-      }
-    }
-  if (!change_varies_) return;
-  for (std::size_t c = first; c < end; ++c)
-    add_x_flux(-1 / parameters_.Re, x_flux_[c], out + (c - first) * cells);
-}
-
-void Fluid::extend_change_outward(int plane, bool is_viscous, Field<double>& f) const {
-  extend_outward(plane, is_inflow_,
-                 static_cast<std::size_t>(plane) * static_cast<std::size_t>(extent_.n_theta), 0.0,
-                 is_viscous, f);
-  f.wrap_theta(plane, extent_.n_rho, extent_.n_rho + 2);
-}
-
-// velocity_operator() on the lines theta = const, with first-order upwind convection and without
-// its neighbours: eliminated from the flag outward.
-void Fluid::prepare_lines() {
-  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
-  const double nu = 1 / parameters_.Re;
-  for_each_row(extent_, [&](int plane, int j) {
-    const double* volume = metrics_.volume.row(plane, j);
-    const double *s = C_s_.row(plane, j), *t = C_t_.row(plane, j);
-    const double *below = metrics_.rho_faces.along.row(plane, j),
-                 *above = metrics_.rho_faces.along.row(plane, j + 1),
-                 *theta = metrics_.theta_faces.along.row(plane, j);
-    double *lower = line_lower_.row(plane, j), *pivot = line_pivot_.row(plane, j),
-           *upper = line_upper_.row(plane, j);
-    const double* upper_below = line_upper_.row(plane, j - 1);
-    for (int i = 0; i < n_theta; ++i) {
-      const double outer = j + 1 < n_rho ? above[i] : 0.0;
-      double diagonal = volume[i] * (next_weight_ + std::abs(s[i]) + std::abs(t[i])) +
-                        nu * (below[i] + outer + theta[i] + theta[i + 1]);
-      lower[i] = -nu * below[i] - volume[i] * std::max(s[i], 0.0);
-      upper[i] = -nu * above[i] + volume[i] * std::min(s[i], 0.0);
-      if (j == 0) {  // the wall's one-sided difference
-        diagonal += 2 * nu * below[i];
-        upper[i] -= nu * below[i] / 3;
-      } else {
-        diagonal -= lower[i] * upper_below[i];
-      }
-      pivot[i] = 1 / diagonal;
-      upper[i] *= pivot[i];
-    }
-  });
-}
-
-void Fluid::invert_lines(const Components& components, const double* in, double* out) const {
-  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    for (std::size_t c = 0; c < components.end - components.first; ++c) {
-      const std::size_t first =
-          c * extent_.cells() + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
-      const auto row = [&](auto* values, int j) {
-        return values + first + static_cast<std::size_t>(j) * static_cast<std::size_t>(n_theta);
-      };
-      for (int j = 0; j < n_rho; ++j) {
-        const double *f = row(in, j), *lower = line_lower_.row(plane, j);
-        const double* pivot = line_pivot_.row(plane, j);
-        double* u = row(out, j);
-        if (j == 0)
-          for (int i = 0; i < n_theta; ++i) u[i] = f[i] * pivot[i];
-        else
-          for (int i = 0; i < n_theta; ++i)
-            u[i] = (f[i] - lower[i] * row(out, j - 1)[i]) * pivot[i];
-      }
-      for (int j = n_rho - 2; j >= 0; --j) {
-        const double *upper = line_upper_.row(plane, j), *next = row(out, j + 1);
-        double* u = row(out, j);
-        for (int i = 0; i < n_theta; ++i) u[i] -= upper[i] * next[i];
-      }
-    }
-}
-
 // --- The step
 // -------------------------------------------------------------------------------------
 
@@ -379,63 +119,67 @@ void Fluid::update_all_metrics(const Displacement<double>& displacement) {
     update_metrics(grid_, plane, displacement, span_.has_span() ? &slope_ : nullptr, metrics_);
 }
 
-void Fluid::adopt_grid(const FluidState& state) {
-  update_all_metrics(state.grid.front());
-}
-
-void Fluid::move_grid(FluidState& state, const WallMotion& wall, const BackwardDifference& D,
-                      double t, FluidStepSummary& summary) {
-  const int n_theta = extent_.n_theta;
-  wall(t, wall_);
+// The corners at the end of the step, from those of the last two.
+void Fluid::move_grid(FluidState& state, const WallShape& wall) {
+  const BackwardDifference& D = step_.D;
   std::rotate(state.grid.begin(), state.grid.end() - 1, state.grid.end());
   Displacement<double>&next = state.grid[0], &last = state.grid[1], &before = state.grid[2];
   combine(D.guess_last, last.y, D.guess_before, before.y, next.y);
   combine(D.guess_last, last.z, D.guess_before, before.z, next.z);
   std::array<double, 4> fold{};  // whether there is one, and its x, y, z
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
+    const std::size_t first = extent_.wall_face(plane, 0);
     const EllipticGridSummary found =
-        elliptic_.follow(plane, wall_.y.data() + first, wall_.z.data() + first, next,
+        elliptic_.follow(plane, wall.y.data() + first, wall.z.data() + first, next,
                          tolerances_.grid, tolerances_.most_grid_passes);
-    summary.grid_passes = std::max(summary.grid_passes, found.passes);
-    summary.least_area = std::min(summary.least_area, found.least_area);
+    step_.summary.grid_passes = std::max(step_.summary.grid_passes, found.passes);
+    step_.summary.least_area = std::min(step_.summary.least_area, found.least_area);
     if (!(found.least_area > 0)) fold = {1, span_.x(plane), found.worst_y, found.worst_z};
   }
   const std::vector<double> folds = ranks::gather_all(fold);
   for (std::size_t k = 0; k < folds.size(); k += fold.size())
     if (folds[k] > 0)
-      fail(t, fmt::format("the grid folds at ({:.4g}, {:.4g}, {:.4g}): the flag bends too sharply "
-                          "for dns.n_theta = {}, or moves too far in a step of dns.dt",
-                          folds[k + 1], folds[k + 2], folds[k + 3], n_theta));
-  const auto velocity_of = [&](const Field<double>& d0, const Field<double>& d1,
-                               const Field<double>& d2, Field<double>& at_cells,
-                               std::vector<double>& at_wall) {
+      fail(step_.t,
+           fmt::format("the grid folds at ({:.4g}, {:.4g}, {:.4g}): the flag bends too sharply "
+                       "for dns.n_theta = {}, or moves too far in a step of dns.dt",
+                       folds[k + 1], folds[k + 2], folds[k + 3], extent_.n_theta));
+}
+
+// v_g, and the wall's velocity with it.
+void Fluid::find_grid_velocity(const FluidState& state) {
+  const int n_theta = extent_.n_theta;
+  Field<double>& corners = change_[0];
+  const auto velocity_of = [&](Field<double> Displacement<double>::*direction,
+                               Field<double>& at_cells, std::vector<double>& at_wall) {
+    const Field<double>&d0 = state.grid[0].*direction, &d1 = state.grid[1].*direction,
+          &d2 = state.grid[2].*direction;
     for (int plane = 0; plane < extent_.planes; ++plane) {
       for (int j = 0; j <= extent_.n_rho; ++j) {
         const double *a = d0.row(plane, j), *b = d1.row(plane, j), *c = d2.row(plane, j);
-        double* corner = change_[0].row(plane, j);
-        for (int i = 0; i <= n_theta; ++i) corner[i] = D.derivative(a[i], b[i], c[i]);
+        double* corner = corners.row(plane, j);
+        for (int i = 0; i <= n_theta; ++i) corner[i] = step_.D.derivative(a[i], b[i], c[i]);
       }
       for (int j = 0; j < extent_.n_rho; ++j) {
-        const double *below = change_[0].row(plane, j), *above = change_[0].row(plane, j + 1);
+        const double *below = corners.row(plane, j), *above = corners.row(plane, j + 1);
         double* cell = at_cells.row(plane, j);
         for (int i = 0; i < n_theta; ++i)
           cell[i] = 0.25 * (below[i] + below[i + 1] + above[i] + above[i + 1]);
       }
-      const double* corner = change_[0].row(plane, 0);
+      const double* corner = corners.row(plane, 0);
       for (int i = 0; i < n_theta; ++i)
         at_wall[extent_.wall_face(plane, i)] = 0.5 * (corner[i] + corner[i + 1]);
     }
   };
-  velocity_of(next.y, last.y, before.y, grid_velocity_y_, wall_velocity_[along_y]);
-  velocity_of(next.z, last.z, before.z, grid_velocity_z_, wall_velocity_[along_z]);
+  velocity_of(&Displacement<double>::y, grid_velocity_y_, wall_velocity_[along_y]);
+  velocity_of(&Displacement<double>::z, grid_velocity_z_, wall_velocity_[along_z]);
   if (!manufactured_.wall_velocity) return;
   for (int plane = 0; plane < extent_.planes; ++plane)
     for (int i = 0; i < n_theta; ++i) {
       const std::complex<double> rest = OGrid::place(0, grid_.theta_centre(i));
-      const double *y = next.y.row(plane, 0) + i, *z = next.z.row(plane, 0) + i;
-      const std::array<double, 3> velocity = manufactured_.wall_velocity(
-          t, span_.x(plane), rest.real() + 0.5 * (y[0] + y[1]), rest.imag() + 0.5 * (z[0] + z[1]));
+      const double *y = state.grid[0].y.row(plane, 0) + i, *z = state.grid[0].z.row(plane, 0) + i;
+      const std::array<double, 3> velocity =
+          manufactured_.wall_velocity(step_.t, span_.x(plane), rest.real() + 0.5 * (y[0] + y[1]),
+                                      rest.imag() + 0.5 * (z[0] + z[1]));
       for (std::size_t c = 0; c < wall_velocity_.size(); ++c)
         wall_velocity_[c][extent_.wall_face(plane, i)] = velocity[axis_of[c]];
     }
@@ -450,49 +194,24 @@ std::array<double, 2> Fluid::centre(const FluidState& state, int plane, int j, i
   return {rest.real() + mean(state.grid[0].y), rest.imag() + mean(state.grid[0].z)};
 }
 
-void Fluid::add_force(const FluidState& state, std::size_t component, double t, double* right) {
+void Fluid::add_force(const FluidState& state, std::size_t component, double* right) {
   for_each_row(extent_, [&](int plane, int j) {
     for (int i = 0; i < extent_.n_theta; ++i) {
       const auto [y, z] = centre(state, plane, j, i);
       *right++ += metrics_.volume.row(plane, j)[i] *
-                  manufactured_.force(t, span_.x(plane), y, z)[axis_of[component]];
+                  manufactured_.force(step_.t, span_.x(plane), y, z)[axis_of[component]];
     }
   });
 }
 
 // The velocity without the new pressure: convection extrapolated, viscosity implicit.
-void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
-                    FluidStepSummary& summary) {
-  const int n_theta = extent_.n_theta;
+void Fluid::predict(FluidState& state) {
   const bool has_span = span_.has_span();
   is_inflow_ = state.is_inflow;
-  next_weight_ = D.next;
   for (std::size_t c = 0; c < guess_.size(); ++c)
-    combine(D.guess_last, state.u[c], D.guess_before, state.u_last[c], guess_[c]);
-  const double dt = D.guess_before == 0 ? 1 / D.next : (1 + D.guess_last) / (D.guess_last * D.next);
-  for_each_row(extent_, [&](int plane, int j) {
-    const double *v = guess_[along_y].row(plane, j), *w = guess_[along_z].row(plane, j);
-    const double *v_g = grid_velocity_y_.row(plane, j), *w_g = grid_velocity_z_.row(plane, j);
-    const double *s_y = metrics_.s_y.row(plane, j), *s_z = metrics_.s_z.row(plane, j);
-    const double *t_y = metrics_.t_y.row(plane, j), *t_z = metrics_.t_z.row(plane, j);
-    double *C_s = C_s_.row(plane, j), *C_t = C_t_.row(plane, j);
-    for (int i = 0; i < n_theta; ++i) {
-      C_s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
-      C_t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
-    }
-    if (has_span) {
-      const double* u = guess_[along_x].row(plane, j);
-      const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
-      for (int i = 0; i < n_theta; ++i) {
-        C_s[i] += u[i] * s_x[i];
-        C_t[i] += u[i] * t_x[i];
-      }
-    }
-    for (int i = 0; i < n_theta; ++i)
-      summary.CFL = std::max(summary.CFL, (std::abs(C_s[i]) + std::abs(C_t[i])) * dt);
-  });
-  if (has_span) carry_along_span();
-  prepare_lines();
+    combine(step_.D.guess_last, state.u[c], step_.D.guess_before, state.u_last[c], guess_[c]);
+  find_convection();
+  lines_.prepare(metrics_, C_s_, C_t_, step_.D.next, 1 / parameters_.Re);
   extend_pressure(state.p);
   if (has_span) span_.differentiate(state.p, change_xi_[0]);
   for (int plane = 0; plane < extent_.planes; ++plane)
@@ -500,8 +219,8 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
              {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   const std::size_t cells = extent_.cells();
   for (std::size_t c = 0; c < guess_.size(); ++c) {
-    subtract_equation(state, D, c, right_.data() + c * cells);
-    if (manufactured_.force) add_force(state, c, t, right_.data() + c * cells);
+    subtract_equation(state, c, right_.data() + c * cells);
+    if (manufactured_.force) add_force(state, c, right_.data() + c * cells);
     pack(state.u_change[c], solution_.data() + c * cells);
   }
   const auto solve = [&](Krylov& krylov, std::size_t first) {
@@ -512,7 +231,8 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
                                 "{:.3g}; a smaller dns.dt or, where the boundary layer is "
                                 "thinner than a cell, a smaller dns.wall_spacing may help",
                                 solved.iterations, solved.residual));
-    summary.velocity_iterations = std::max(summary.velocity_iterations, solved.iterations);
+    step_.summary.velocity_iterations =
+        std::max(step_.summary.velocity_iterations, solved.iterations);
   };
   // Apart, so that a cross-flow changes nothing across it, to the last bit.
   solve(velocity_in_plane_, 0);
@@ -521,6 +241,34 @@ void Fluid::predict(FluidState& state, const BackwardDifference& D, double t,
     unpack(solution_.data() + c * cells, state.u_change[c]);
     combine(1, guess_[c], 1, state.u_change[c], guess_[c]);
   }
+}
+
+// What carries the velocity, v - v_g of the guess, in cells along s and t.
+void Fluid::find_convection() {
+  const bool has_span = span_.has_span();
+  for_each_row(extent_, [&](int plane, int j) {
+    const double *v = guess_[along_y].row(plane, j), *w = guess_[along_z].row(plane, j);
+    const double *v_g = grid_velocity_y_.row(plane, j), *w_g = grid_velocity_z_.row(plane, j);
+    const double *s_y = metrics_.s_y.row(plane, j), *s_z = metrics_.s_z.row(plane, j);
+    const double *t_y = metrics_.t_y.row(plane, j), *t_z = metrics_.t_z.row(plane, j);
+    double *C_s = C_s_.row(plane, j), *C_t = C_t_.row(plane, j);
+    for (int i = 0; i < extent_.n_theta; ++i) {
+      C_s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
+      C_t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
+    }
+    if (has_span) {
+      const double* u = guess_[along_x].row(plane, j);
+      const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
+      for (int i = 0; i < extent_.n_theta; ++i) {
+        C_s[i] += u[i] * s_x[i];
+        C_t[i] += u[i] * t_x[i];
+      }
+    }
+    double& CFL = step_.summary.CFL;
+    for (int i = 0; i < extent_.n_theta; ++i)
+      CFL = std::max(CFL, (std::abs(C_s[i]) + std::abs(C_t[i])) * step_.dt);
+  });
+  if (has_span) carry_along_span();
 }
 
 // What carries along the span, and whether the change from the guess must be: where neither
@@ -533,15 +281,15 @@ void Fluid::carry_along_span() {
     for (int i = 0; i < extent_.n_theta; ++i)
       fastest = std::max(fastest, std::abs(C_x_.row(plane, j)[i]));
   });
-  const double k = std::numbers::pi * span_.planes() / span_.length(), dt = 1 / next_weight_;
+  const double k = std::numbers::pi * span_.planes() / span_.length(), dt = 1 / step_.D.next;
   constexpr double little_friction = 0.1, little_convection = 0.05;  // of a mode in a step
   change_varies_ = k * k * dt / parameters_.Re > little_friction ||
                    k * dt * ranks::largest(fastest) > little_convection;
 }
 
 // Minus what the guess leaves of a component's equation, integrated over the cells.
-void Fluid::subtract_equation(const FluidState& state, const BackwardDifference& D,
-                              std::size_t component, double* right) {
+void Fluid::subtract_equation(const FluidState& state, std::size_t component, double* right) {
+  const BackwardDifference& D = step_.D;
   const bool has_span = span_.has_span(), has_gradient = component < gradient_.size();
   const auto c = static_cast<int>(component);
   Field<double>&f = guess_[component], &f_xi = change_xi_[0], &carried = change_[0];
@@ -576,14 +324,14 @@ void Fluid::subtract_equation(const FluidState& state, const BackwardDifference&
   });
 }
 
-// The pressure that makes the fluxes free of divergence, and the velocity with it.
-void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSummary& summary,
-                    bool is_start) {
+// What the pressure has to make free of divergence: the predicted velocity and dt' grad p^n through
+// the faces, nothing through the flag yet.
+void Fluid::pose_projection(FluidState& state) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const bool has_span = span_.has_span();
-  const double dt = 1 / D.next;
+  const double dt = 1 / step_.D.next;
   for (std::size_t c = 0; c < guess_.size(); ++c) {
-    if (!is_start && c < gradient_.size()) combine(1, guess_[c], dt, gradient_[c], guess_[c]);
+    if (!step_.is_start && c < gradient_.size()) combine(1, guess_[c], dt, gradient_[c], guess_[c]);
     for (int plane = 0; plane < extent_.planes; ++plane) guess_[c].wrap_theta(plane, 0, n_rho);
   }
   const Field<double>* u_x = has_span ? &guess_[along_x] : nullptr;
@@ -592,20 +340,14 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
   for (int plane = 0; plane < extent_.planes; ++plane) {
     velocity_flux(metrics_, plane, u_x, guess_[along_y], guess_[along_z], flux_rho_, flux_theta_);
     const FaceMetrics<double>& faces = metrics_.rho_faces;
+    const auto outside = [&](const Field<double>& f, int i) {
+      return 1.5 * f.row(plane, n_rho - 1)[i] - 0.5 * f.row(plane, n_rho - 2)[i];
+    };
     for (int i = 0; i < n_theta; ++i) {
-      const std::size_t face = extent_.wall_face(plane, i);
-      const auto outside = [&](const Field<double>& f) {
-        return 1.5 * f.row(plane, n_rho - 1)[i] - 0.5 * f.row(plane, n_rho - 2)[i];
-      };
-      double wall = faces.area_y.row(plane, 0)[i] * wall_velocity_[along_y][face] +
-                    faces.area_z.row(plane, 0)[i] * wall_velocity_[along_z][face];
-      double outer = faces.area_y.row(plane, n_rho)[i] * outside(guess_[along_y]) +
-                     faces.area_z.row(plane, n_rho)[i] * outside(guess_[along_z]);
-      if (has_span) {
-        wall += faces.area_x.row(plane, 0)[i] * wall_velocity_[along_x][face];
-        outer += faces.area_x.row(plane, n_rho)[i] * outside(guess_[along_x]);
-      }
-      flux_rho_.row(plane, 0)[i] = wall;
+      double outer = faces.area_y.row(plane, n_rho)[i] * outside(guess_[along_y], i) +
+                     faces.area_z.row(plane, n_rho)[i] * outside(guess_[along_z], i);
+      if (has_span) outer += faces.area_x.row(plane, n_rho)[i] * outside(guess_[along_x], i);
+      flux_rho_.row(plane, 0)[i] = 0;
       flux_rho_.row(plane, n_rho)[i] = outer;
     }
     add_balance(plane, flux_rho_, flux_theta_, divergence);
@@ -619,21 +361,70 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
     });
   add_x_flux(1, x_flux_[0], right_.data());
   for (std::size_t cell = 0; cell < extent_.cells(); ++cell) right_[cell] /= dt;
-  if (is_start) {
+  if (step_.is_start) {
     std::ranges::fill(solution_, 0.0);
   } else {
-    combine(D.guess_last, state.p, D.guess_before, state.p_last, change_[0]);
+    combine(step_.D.guess_last, state.p, step_.D.guess_before, state.p_last, change_[0]);
     pack(change_[0], solution_.data());
   }
-  const KrylovSummary solved =
-      pressure_.solve(right_.data(), solution_.data(), tolerances_.pressure);
+  std::swap(state.p, state.p_last);
+  step_.is_posed = true;
+}
+
+// The wall's velocity through the flag's faces, into what was posed.
+void Fluid::impose_wall_flux() {
+  const FaceMetrics<double>& faces = metrics_.rho_faces;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    double* flux = flux_rho_.row(plane, 0);
+    double* right = right_.data() + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
+    for (int i = 0; i < extent_.n_theta; ++i) {
+      const std::size_t face = extent_.wall_face(plane, i);
+      double through = faces.area_y.row(plane, 0)[i] * wall_velocity_[along_y][face] +
+                       faces.area_z.row(plane, 0)[i] * wall_velocity_[along_z][face];
+      if (span_.has_span())
+        through += faces.area_x.row(plane, 0)[i] * wall_velocity_[along_x][face];
+      right[i] -= (through - flux[i]) * step_.D.next;
+      flux[i] = through;
+    }
+  }
+}
+
+void Fluid::set_wall_velocity(std::size_t component, std::span<const double> velocity) {
+  std::ranges::copy(velocity, wall_velocity_[component].begin());
+}
+
+void Fluid::begin_step(FluidState& state, const WallShape& wall, double dt) {
+  step_ = {BackwardDifference(dt, state.previous_dt), state.t + dt, dt, false, false, {}};
+  StopWatch watch;
+  move_grid(state, wall);
+  find_grid_velocity(state);
+  step_.summary.seconds.grid = watch.lap();
+  update_all_metrics(state.grid[0]);
+  step_.summary.seconds.metrics = watch.lap();
+  predict(state);
+  step_.summary.seconds.prediction = watch.lap();
+}
+
+void Fluid::solve_pressure(FluidState& state, double tolerance) {
+  StopWatch watch;
+  if (!step_.is_posed) pose_projection(state);
+  impose_wall_flux();
+  const KrylovSummary solved = pressure_.solve(right_.data(), solution_.data(), tolerance);
   if (!solved.converged)
     fail(state.t, fmt::format("the pressure solver stopped after {} iterations with an error of "
                               "{:.3g}; a smaller dns.dt or a finer grid may help",
                               solved.iterations, solved.residual));
-  summary.pressure_iterations += solved.iterations;
-  std::swap(state.p, state.p_last);
+  step_.summary.pressure_iterations += solved.iterations;
   unpack(solution_.data(), state.p);
+  step_.summary.seconds.projection += watch.lap();
+}
+
+// Takes the pressure's gradient from the fluxes and the velocity.
+FluidStepSummary Fluid::finish_step(FluidState& state) {
+  StopWatch watch;
+  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
+  const bool has_span = span_.has_span();
+  const double dt = 1 / step_.D.next;
   extend_pressure(state.p);
   Field<double>&p_xi = change_xi_[0], &across_rho = change_[0], &across_theta = change_[1];
   if (has_span) span_.differentiate(state.p, p_xi);
@@ -660,6 +451,21 @@ void Fluid::project(FluidState& state, const BackwardDifference& D, FluidStepSum
     else
       state.u[c] = guess_[c];
   }
+  FluidStepSummary& summary = step_.summary;
+  summary.CFL = ranks::largest(summary.CFL);
+  summary.least_area = ranks::least(summary.least_area);
+  summary.grid_passes = static_cast<int>(ranks::largest(summary.grid_passes));
+  state.t = step_.t;
+  state.previous_dt = step_.dt;
+  summary.seconds.projection += watch.lap();
+  return summary;
+}
+
+FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, double dt) {
+  wall(state.t + dt, wall_);
+  begin_step(state, wall_, dt);
+  solve_pressure(state, tolerances_.pressure);
+  return finish_step(state);
 }
 
 FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
@@ -669,8 +475,7 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   wall(t, wall_);
   bool fits = true;
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    const std::size_t first =
-        static_cast<std::size_t>(plane) * static_cast<std::size_t>(extent_.n_theta);
+    const std::size_t first = extent_.wall_face(plane, 0);
     constexpr int most_passes = 300;
     const EllipticGridSummary found =
         elliptic_.follow(plane, wall_.y.data() + first, wall_.z.data() + first, state.grid[0],
@@ -690,32 +495,13 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   }
   state.p = state.p_last = Field<double>(extent_);
   state.is_inflow.resize(extent_.wall_faces());
-  FluidStepSummary summary;
-  BackwardDifference unit(1, 0);
-  project(state, unit, summary, true);
+  step_ = {BackwardDifference(1, 0), t, 1, false, true, {}};
+  solve_pressure(state, tolerances_.pressure);
+  finish_step(state);
+  state.previous_dt = 0;
   std::ranges::fill(state.p.values(), 0.0);
   state.u_last = state.u;
   return state;
-}
-
-FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, double dt) {
-  const BackwardDifference D(dt, state.previous_dt);
-  FluidStepSummary summary;
-  StopWatch watch;
-  move_grid(state, wall, D, state.t + dt, summary);
-  summary.seconds.grid = watch.lap();
-  update_all_metrics(state.grid[0]);
-  summary.seconds.metrics = watch.lap();
-  predict(state, D, state.t + dt, summary);
-  summary.seconds.prediction = watch.lap();
-  project(state, D, summary, false);
-  summary.seconds.projection = watch.lap();
-  summary.CFL = ranks::largest(summary.CFL);
-  summary.least_area = ranks::least(summary.least_area);
-  summary.grid_passes = static_cast<int>(ranks::largest(summary.grid_passes));
-  state.t += dt;
-  state.previous_dt = dt;
-  return summary;
 }
 
 }  // namespace pennon::dns

@@ -13,30 +13,22 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "dns/backward_difference.hpp"
 #include "dns/elliptic_grid.hpp"
 #include "dns/field.hpp"
+#include "dns/flat_pressure.hpp"
+#include "dns/fluid_parameters.hpp"
 #include "dns/krylov.hpp"
 #include "dns/metrics.hpp"
 #include "dns/o_grid.hpp"
 #include "dns/span.hpp"
 #include "dns/stencils.hpp"
+#include "dns/velocity_lines.hpp"
 
 namespace pennon::dns {
-
-struct FluidParameters {
-  double Re = 1000;
-  double U = 0;  ///< cross-flow, over V
-};
-
-struct FluidTolerances {
-  double pressure = 1e-6;  ///< root mean square error of the pressure left by a step, rho_f V^2
-  double velocity = 1e-8;  ///< the same of the velocity, V
-  double grid = 1e-5;      ///< last change of a corner, L
-  int most_grid_passes = 20;
-};
 
 /// Where the wall is: the displacement of the flag from rest at the corners of the grid, for each
 /// plane n_theta numbers (Displacement's row 0).
@@ -96,9 +88,25 @@ class Fluid {
   /// impulsive start.
   FluidState impulsive_start(const WallMotion& wall, double t);
 
-  /// Advances by dt. Throws SolverError with the time, and the place where it has one, if the grid
-  /// folds, a solver does not converge or the velocity is not finite.
+  /// Advances by dt with a wall that moves as prescribed. Throws SolverError with the time, and the
+  /// place where it has one, if the grid folds, a solver does not converge or the velocity is not
+  /// finite.
   FluidStepSummary advance(FluidState&, const WallMotion& wall, double dt);
+
+  /// The same in three parts, for a wall whose velocity answers the pressure.
+  ///
+  /// begin_step() moves the grid to the wall's shape at the end of the step and predicts the
+  /// velocity; the wall's velocity is then that of the shape. set_wall_velocity() and
+  /// solve_pressure() follow, as often as the wall needs: state.p is then the pressure at the end
+  /// of the step, with a root mean square error below `tolerance`. finish_step() leaves what
+  /// advance() does.
+  void begin_step(FluidState&, const WallShape&, double dt);
+  void solve_pressure(FluidState&, double tolerance);
+  FluidStepSummary finish_step(FluidState&);
+  /// The velocity without the new pressure, between begin_step() and the first solve_pressure().
+  const std::vector<Field<double>>& predicted_velocity() const { return guess_; }
+  /// Components as in FluidState::u, n_theta numbers for each plane, at the middle of the faces.
+  void set_wall_velocity(std::size_t component, std::span<const double> velocity);
 
   void manufacture(Manufactured terms) { manufactured_ = std::move(terms); }
 
@@ -114,25 +122,32 @@ class Fluid {
   const Field<double>& flux_across_rho() const { return flux_rho_; }
   const Field<double>& flux_across_theta() const { return flux_theta_; }
 
+  double stream(int component) const;
   /// Fills the ghosts of a velocity component for convection, or (is_viscous) for the gradient's
   /// flux: at the flag its velocity, outside the stream.
   void extend_velocity(const FluidState&, int component, Field<double>& f, bool is_viscous) const;
   void extend_pressure(Field<double>& p) const;
-  /// Makes the metrics those of the state's grid: after a restart.
-  void adopt_grid(const FluidState&);
 
  private:
   struct Components {  // of FluidState::u, first to end - 1
     std::size_t first, end;
   };
-  double stream(int component) const;
-  void move_grid(FluidState&, const WallMotion&, const BackwardDifference&, double t,
-                 FluidStepSummary&);
-  void predict(FluidState&, const BackwardDifference&, double t, FluidStepSummary&);
-  void subtract_equation(const FluidState&, const BackwardDifference&, std::size_t component,
-                         double* right);
-  void add_force(const FluidState&, std::size_t component, double t, double* right);
-  void project(FluidState&, const BackwardDifference&, FluidStepSummary&, bool is_start);
+  // Between begin_step() and finish_step().
+  struct Step {
+    BackwardDifference D{1, 0};
+    double t = 0, dt = 1;  // at its end, and its length
+    bool is_posed = false;
+    bool is_start = false;  // from the uniform stream: there is no pressure yet
+    FluidStepSummary summary;
+  };
+  void move_grid(FluidState&, const WallShape&);
+  void find_grid_velocity(const FluidState&);
+  void predict(FluidState&);
+  void find_convection();
+  void subtract_equation(const FluidState&, std::size_t component, double* right);
+  void add_force(const FluidState&, std::size_t component, double* right);
+  void pose_projection(FluidState&);
+  void impose_wall_flux();
   void balance_plane(int plane, const Field<double>& f, const Field<double>* f_xi,
                      bool with_wall_flux, Field<double>& x_flux);
   void carry_plane(int plane, const Field<double>& f, const Field<double>* f_xi);
@@ -142,8 +157,6 @@ class Fluid {
   void invert_flat_pressure(const double* in, double* out);
   void velocity_operator(const Components&, const double* in, double* out);
   void extend_change_outward(int plane, bool is_viscous, Field<double>&) const;
-  void prepare_lines();
-  void invert_lines(const Components&, const double* in, double* out) const;
   void update_all_metrics(const Displacement<double>&);
   [[noreturn]] void fail(double t, const std::string& what) const;
 
@@ -156,17 +169,16 @@ class Fluid {
   int components_;
   EllipticGrid elliptic_;
   Metrics<double> metrics_;
-  std::map<int, SeparableSolver> flat_;  // by the number of waves along the span
+  std::map<int, FlatPressure> flat_;  // by the number of waves along the span
   Krylov pressure_, velocity_in_plane_, velocity_along_span_;
 
   Manufactured manufactured_;
-  double next_weight_ = 0;      // of the backward difference, for the implicit viscosity
+  Step step_;
   bool change_varies_ = false;  // whether the velocity's operator has terms along the span
   std::vector<bool> is_inflow_;
   WallShape wall_;
   std::vector<std::vector<double>> wall_velocity_;
   std::vector<double> no_velocity_;
-  Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> inverse_flat_area_;
   Field<double> grid_velocity_y_, grid_velocity_z_;
   Field<double> flux_rho_, flux_theta_;
   Displacement<double> slope_;
@@ -174,7 +186,7 @@ class Fluid {
   std::vector<Field<double>> change_, change_xi_, x_flux_;  // of the components; and to work in
   Field<double> C_x_, C_s_, C_t_;  // what carries the velocity: along x, in cells along s and t
   std::vector<Field<double>> guess_, gradient_;
-  Field<double> line_lower_, line_pivot_, line_upper_;
+  VelocityLines lines_;
   std::vector<double> right_, solution_;  // packed: the components one behind the other
 };
 

@@ -21,9 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double growth_of_first_steps = 1.2;
-// A step that keeps to a Courant number changes no faster, so that backward differences stay
-// stable.
+// Steps change no faster, so that backward differences stay stable.
 constexpr double most_growth = 1.2, most_shrinkage = 0.6;
 
 constexpr double slack = 1e-9;  // of a step, for times that are multiples of it but for rounding
@@ -121,7 +119,7 @@ class FluidRun {
     result_.pressure_iterations_max =
         std::max(result_.pressure_iterations_max, summary.pressure_iterations);
     result_.least_area = std::min(result_.least_area, summary.least_area);
-    choose_step(summary.CFL);
+    choose_step(dt, summary.CFL);
     const OutputSettings& output = settings_.output;
     if (output.history_interval == 0 || passes_multiple(output.history_interval, before, state_.t))
       add_row(fluid_, state_, summary, settings_.probes, history_);
@@ -129,11 +127,12 @@ class FluidRun {
     if (passes_multiple(output.checkpoint_interval, before, state_.t)) write_checkpoint();
   }
 
-  void choose_step(double CFL) {
+  // The next step, from the one taken and its Courant number.
+  void choose_step(double taken, double CFL) {
     double most = settings_.dt;
     if (settings_.fluid.cfl && CFL > 0)
-      most = std::min(most, dt_ * std::max(*settings_.fluid.cfl / CFL, most_shrinkage));
-    dt_ = std::min(most, (dt_ < settings_.dt ? growth_of_first_steps : most_growth) * dt_);
+      most = std::min(most, taken * std::max(*settings_.fluid.cfl / CFL, most_shrinkage));
+    dt_ = std::min(most, most_growth * std::max(taken, dt_));
   }
 
   void keep_fields() {
@@ -259,14 +258,10 @@ Fluid fluid_of(const Settings& settings, const FlagParameters& flag, const FlowP
   const FluidSettings& fluid = settings.fluid;
   const OGridSettings grid{static_cast<int>(fluid.n_rho), static_cast<int>(fluid.n_theta), fluid.R,
                            fluid.wall_spacing, fluid.wake_clustering};
-  FluidTolerances tolerances;
-  tolerances.pressure = fluid.pressure_tolerance;
-  tolerances.velocity = fluid.velocity_tolerance;
-  tolerances.grid = fluid.grid_tolerance;
   return {OGrid(grid),
           span_of(settings, flag),
           {flow.Re, flow.U},
-          tolerances,
+          fluid.tolerances,
           upwinding_of(fluid.convection)};
 }
 

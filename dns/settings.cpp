@@ -76,12 +76,12 @@ void declare(Schema& schema, Settings& settings) {
            choice(settings.fluid.convection, {"kawamura_kuwahara", "third_order", "central"}),
            "differences of the convective term: third-order upwind-biased with three times or once "
            "the least dissipation, or second-order central"})
-      .key({"pressure_tolerance", &settings.fluid.pressure_tolerance,
+      .key({"pressure_tolerance", &settings.fluid.tolerances.pressure,
             "error that a step leaves in the pressure, root mean square, in rho_f V^2",
             Range{1e-14, 1}})
-      .key({"velocity_tolerance", &settings.fluid.velocity_tolerance,
+      .key({"velocity_tolerance", &settings.fluid.tolerances.velocity,
             "the same of the velocity, in V", Range{1e-14, 1}})
-      .key({"grid_tolerance", &settings.fluid.grid_tolerance,
+      .key({"grid_tolerance", &settings.fluid.tolerances.grid,
             "last change of a corner of the grid, in L", Range{1e-14, 1e-2}});
   MotionSettings& motion = settings.motion;
   schema

@@ -13,6 +13,7 @@
 #include "common/parameters.hpp"
 #include "dns/flag_mesh.hpp"
 #include "dns/flag_stepper.hpp"
+#include "dns/fluid_parameters.hpp"
 
 namespace pennon::dns {
 
@@ -82,9 +83,7 @@ struct FluidSettings {
   std::optional<double> cfl;
   std::optional<double> first_dt;
   Convection convection = Convection::kawamura_kuwahara;
-  double pressure_tolerance = 1e-6;
-  double velocity_tolerance = 1e-7;
-  double grid_tolerance = 1e-5;
+  FluidTolerances tolerances;
 };
 
 /// Places of the section where the fluid's velocity and pressure are kept, in every plane.

@@ -1,0 +1,144 @@
+// The boundary conditions of Fluid, and the operators that its solvers invert.
+#include <algorithm>
+
+#include "dns/fluid.hpp"
+#include "dns/ghosts.hpp"
+#include "dns/packing.hpp"
+
+namespace pennon::dns {
+
+void Fluid::extend_velocity(const FluidState& state, int component, Field<double>& f,
+                            bool is_viscous) const {
+  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    const std::size_t first = static_cast<std::size_t>(plane) * static_cast<std::size_t>(n_theta);
+    extend_to_wall(plane, wall_velocity_[static_cast<std::size_t>(component)].data() + first, f);
+    extend_outward(plane, state.is_inflow, first, stream(component), is_viscous, f);
+    f.wrap_theta(plane, -2, n_rho + 2);
+  }
+}
+
+void Fluid::extend_pressure(Field<double>& p) const {
+  const int n_rho = extent_.n_rho;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    extrapolate_to_wall(plane, p);
+    const double* last = p.row(plane, n_rho - 1);
+    double* ghost = p.row(plane, n_rho);
+    for (int i = 0; i < extent_.n_theta; ++i) ghost[i] = -last[i];  // p = 0 between them
+    p.wrap_theta(plane, -1, n_rho + 1);
+  }
+}
+
+// The integral of lap f over the cells of a plane, without what only its neighbours give: into
+// balance_, and into x_flux the flux along x. f and f_xi with their ghosts.
+void Fluid::balance_plane(int plane, const Field<double>& f, const Field<double>* f_xi,
+                          bool with_wall_flux, Field<double>& x_flux) {
+  gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance_);
+  if (!f_xi) return;
+  for (int j = 0; j < extent_.n_rho; ++j) {
+    const double *below = f.row(plane, j - 1), *here = f.row(plane, j),
+                 *above = f.row(plane, j + 1);
+    const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
+    const double *xi = f_xi->row(plane, j), *volume = metrics_.volume.row(plane, j);
+    double* flux = x_flux.row(plane, j);
+    for (int i = 0; i < extent_.n_theta; ++i)
+      flux[i] = volume[i] * (xi[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
+                             t_x[i] * 0.5 * (here[i + 1] - here[i - 1]));
+  }
+}
+
+// (C . grad) f in a plane, into carried_, from f with its ghosts.
+void Fluid::carry_plane(int plane, const Field<double>& f, const Field<double>* f_xi) {
+  convection(plane, C_s_, C_t_, f, upwinding_, carried_);
+  if (!f_xi) return;
+  for (int j = 0; j < extent_.n_rho; ++j) {
+    const double *u = C_x_.row(plane, j), *xi = f_xi->row(plane, j);
+    double* sum = carried_.row(0, j);
+    for (int i = 0; i < extent_.n_theta; ++i) sum[i] += u[i] * xi[i];
+  }
+}
+
+// Adds `factor` times the derivative of x_flux by x to packed cells.
+void Fluid::add_x_flux(double factor, Field<double>& x_flux, double* packed) {
+  if (!span_.has_span()) return;
+  span_.differentiate(x_flux, x_flux);
+  for_each_row(extent_, [&](int plane, int j) {
+    const double* flux = x_flux.row(plane, j);
+    for (int i = 0; i < extent_.n_theta; ++i) *packed++ += factor * flux[i];
+  });
+}
+
+void Fluid::pressure_operator(const double* in, double* out) {
+  Field<double>&f = change_[0], &f_xi = change_xi_[0];
+  unpack(in, f);
+  extend_pressure(f);
+  if (span_.has_span()) span_.differentiate(f, f_xi);
+  double* to = out;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    balance_plane(plane, f, span_.has_span() ? &f_xi : nullptr, false, x_flux_[0]);
+    for (int j = 0; j < extent_.n_rho; ++j)
+      to = std::copy_n(balance_.row(0, j), extent_.n_theta, to);
+  }
+  add_x_flux(1, x_flux_[0], out);
+}
+
+void Fluid::invert_flat_pressure(const double* in, double* out) {
+  const std::size_t plane_cells = extent_.cells_of_plane();
+  std::copy_n(in, extent_.cells(), out);
+  span_.to_coefficients(out, plane_cells, plane_cells);
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    double* values = out + static_cast<std::size_t>(plane) * plane_cells;
+    if (span_.is_dropped(plane)) {
+      std::fill_n(values, plane_cells, 0.0);
+      continue;
+    }
+    flat_.at(span_.waves(plane)).solve(values);
+  }
+  span_.to_values(out, plane_cells, plane_cells);
+}
+
+// For each component u: next_weight V u + V (C . grad) u - 1/Re (balance of u's gradient), u zero
+// at the flag and in the stream.
+void Fluid::velocity_operator(const Components& components, const double* in, double* out) {
+  const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
+  const std::size_t cells = extent_.cells();
+  const auto [first, end] = components;
+  for (std::size_t c = first; c < end; ++c) {
+    Field<double>& f = change_[c];
+    unpack(in + (c - first) * cells, f);
+    for (int plane = 0; plane < extent_.planes; ++plane) {
+      extend_to_wall(plane, no_velocity_.data(), f);
+      f.wrap_theta(plane, -2, n_rho);
+      extend_change_outward(plane, true, f);
+    }
+    if (change_varies_) span_.differentiate(f, change_xi_[c]);
+  }
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    for (std::size_t c = first; c < end; ++c) {
+      balance_plane(plane, change_[c], change_varies_ ? &change_xi_[c] : nullptr, true, x_flux_[c]);
+      extend_change_outward(plane, false, change_[c]);
+      carry_plane(plane, change_[c], change_varies_ ? &change_xi_[c] : nullptr);
+      const std::size_t offset =
+          (c - first) * cells + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
+      const double* u = in + offset;
+      double* result = out + offset;
+      for (int j = 0; j < n_rho; ++j) {
+        const double *balance = balance_.row(0, j), *carried = carried_.row(0, j);
+        const double* volume = metrics_.volume.row(plane, j);
+        for (int i = 0; i < n_theta; ++i, ++u, ++result)
+          *result = volume[i] * (step_.D.next * *u + carried[i]) - balance[i] / parameters_.Re;
+      }
+    }
+  if (!change_varies_) return;
+  for (std::size_t c = first; c < end; ++c)
+    add_x_flux(-1 / parameters_.Re, x_flux_[c], out + (c - first) * cells);
+}
+
+void Fluid::extend_change_outward(int plane, bool is_viscous, Field<double>& f) const {
+  extend_outward(plane, is_inflow_,
+                 static_cast<std::size_t>(plane) * static_cast<std::size_t>(extent_.n_theta), 0.0,
+                 is_viscous, f);
+  f.wrap_theta(plane, extent_.n_rho, extent_.n_rho + 2);
+}
+
+}  // namespace pennon::dns
