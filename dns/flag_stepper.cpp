@@ -4,7 +4,6 @@
 
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "common/errors.hpp"
 
@@ -13,7 +12,7 @@ namespace pennon::dns {
 template <int dim>
 FlagStepper<dim>::FlagStepper(const Flag<dim>& flag, TimeScheme scheme,
                               const NewtonSettings& settings)
-    : flag_(flag), scheme_(scheme), settings_(settings), tangent_(flag.tangent_matrix()) {}
+    : flag_(flag), scheme_(scheme), settings_(settings), newton_(flag, settings) {}
 
 template <int dim>
 FlagState<dim> FlagStepper<dim>::start() const {
@@ -45,59 +44,10 @@ void FlagStepper<dim>::pose_energy_conserving(const FlagState<dim>& state, const
 template <int dim>
 void FlagStepper<dim>::pose_backward_difference(const FlagState<dim>& state, const LoadsAt& loads,
                                                 double dt) {
-  // d/dt of q at the end: now q_1 + before q_0 + earlier q_-1, with r the ratio of this step to the
-  // last.
+  equation_.pose(state, BackwardDifference(dt, state.previous_dt), dt);
   const double r = dt / state.previous_dt;
-  const double now = (1 + 2 * r) / ((1 + r) * dt);
-  const double before = -(1 + r) / dt;
-  const double earlier = r * r / ((1 + r) * dt);
-  equation_.velocity_rest = before * state.x + earlier * state.previous_x;
-  // The acceleration is now^2 x_1 and the rest below: that rest over -now^2 is where inertia leads.
-  equation_.inertial =
-      -(now * equation_.velocity_rest + before * state.v + earlier * state.previous_v) /
-      (now * now);
   equation_.guess = state.x + dt * state.v + dt * r / 2 * (state.v - state.previous_v);
-  equation_.mass_factor = now * now;
-  equation_.velocity_factor = now;
   equation_.loads = loads(state.t + dt);
-  equation_.pairing = Pairing::end;
-  equation_.dt = dt;
-}
-
-// Newton's method from x_; leaves the end position there and its velocity in v_.
-template <int dim>
-bool FlagStepper<dim>::solve(const NodeVectors<dim>& start, StepSummary& summary) {
-  bool must_factor = settings_.contraction == 0 || factored_mass_ != equation_.mass_factor;
-  last_change_ = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
-    v_ = equation_.velocity_factor * x_ + equation_.velocity_rest;
-    const FlagStep<dim> step{start,        x_,  equation_.pairing,
-                             equation_.dt, &v_, equation_.velocity_factor};
-    if (must_factor) {
-      tangent_->set_zero();
-      flag_.add_tangent(step, equation_.loads, equation_.mass_factor, *tangent_);
-      factored_mass_ = 0;
-      ++summary.factorisations;
-      if (!tangent_->factor()) return false;
-      factored_mass_ = equation_.mass_factor;
-    }
-    flag_.evaluate_forces(step, equation_.loads, change_);
-    change_ -= equation_.mass_factor * (x_ - equation_.inertial) * flag_.mass().asDiagonal();
-    flag_.clear_held(change_);
-    tangent_->solve(change_);
-    x_ += change_;
-    ++summary.iterations;
-    const double largest = change_.cwiseAbs().maxCoeff();
-    if (!std::isfinite(largest)) return false;
-    if (largest <= settings_.tolerance) {
-      v_ = equation_.velocity_factor * x_ + equation_.velocity_rest;
-      return true;
-    }
-    must_factor = largest > settings_.contraction * last_change_;
-    last_change_ = largest;
-  }
-  factored_mass_ = 0;
-  return false;
 }
 
 template <int dim>
@@ -110,7 +60,7 @@ bool FlagStepper<dim>::try_advance(FlagState<dim>& state, const LoadsAt& loads, 
   change_ = equation_.guess - state.x;
   flag_.clear_held(change_);
   x_ = state.x + change_;
-  if (!solve(state.x, summary)) return false;
+  if (!newton_.solve(state.x, equation_, x_, v_, summary)) return false;
   state.dissipated += flag_.stretch().dissipated(state.x, x_, dt);
   const FlagStep<dim> mean{state.x, x_, Pairing::discrete_gradient};
   flag_.evaluate_load_forces(mean, equation_.loads, change_);
@@ -145,7 +95,7 @@ StepSummary FlagStepper<dim>::advance(FlagState<dim>& state, const LoadsAt& load
                       "the step: the last "
                       "Newton iteration moved a node by {:.3g} L; try a smaller dt, more damping, "
                       "or more nodes",
-                      state.t, smallest_part, 1 << settings_.most_halvings, last_change_));
+                      state.t, smallest_part, 1 << settings_.most_halvings, newton_.last_change()));
   }
   if (summary.parts == 1) state.t = end;
   return summary;

@@ -1,5 +1,6 @@
 #include "dns/fluid_forces.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/ranks.hpp"
@@ -29,46 +30,59 @@ struct Extended {
   const Field<double>* slope() const { return f_xi.empty() ? nullptr : &f_xi; }
 };
 
+// The two cells next to the wall of a component, its ghosts behind the wall, and their derivative
+// by x where there is a span.
+struct WallLayer {
+  Field<double> f, f_xi;
+
+  WallLayer(const Fluid& fluid, const std::vector<Field<double>>& u, std::size_t axis)
+      : f(Extent{fluid.extent().planes, 2, fluid.extent().n_theta}) {
+    const std::size_t component = place_of[axis];
+    for (int plane = 0; plane < f.extent().planes; ++plane) {
+      for (int j = 0; j < 2; ++j)
+        std::copy_n(u[component].row(plane, j), f.extent().n_theta, f.row(plane, j));
+      extend_to_wall(
+          plane, fluid.wall_velocity()[component].data() + fluid.extent().wall_face(plane, 0), f);
+      f.wrap_theta(plane, -2, 2);
+    }
+    if (!fluid.span().has_span()) return;
+    f_xi = Field<double>(f.extent());
+    fluid.span().differentiate(f, f_xi);
+  }
+};
+
 }  // namespace
 
-WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
+std::vector<double> wall_pressure(const Field<double>& p) {
+  const Extent& extent = p.extent();
+  std::vector<double> pressure(extent.wall_faces());
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int i = 0; i < extent.n_theta; ++i)
+      pressure[extent.wall_face(plane, i)] =
+          wall_value(p.row(plane, 0)[i], p.row(plane, 1)[i], p.row(plane, 2)[i]);
+  return pressure;
+}
+
+WallTraction wall_friction(const Fluid& fluid, const std::vector<Field<double>>& u) {
   const Extent& extent = fluid.extent();
   const FaceMetrics<double>& faces = fluid.metrics().rho_faces;
   const double nu = 1 / fluid.parameters().Re;
-  const auto n_theta = static_cast<std::size_t>(extent.n_theta);
-  const std::size_t count = static_cast<std::size_t>(extent.planes) * n_theta;
   WallTraction traction;
-  traction.pressure.resize(count);
-  traction.friction.assign(count, 0);
-  for (std::vector<double>& force : traction.force) force.assign(count, 0);
-  for (int plane = 0; plane < extent.planes; ++plane) {
-    const double *p0 = state.p.row(plane, 0), *p1 = state.p.row(plane, 1),
-                 *p2 = state.p.row(plane, 2);
-    const std::size_t first = static_cast<std::size_t>(plane) * n_theta;
-    for (std::size_t i = 0; i < n_theta; ++i)
-      traction.pressure[first + i] = wall_value(p0[i], p1[i], p2[i]);
-  }
+  traction.pressure.assign(extent.wall_faces(), 0);
+  traction.friction.assign(extent.wall_faces(), 0);
+  for (std::vector<double>& force : traction.force) force.assign(extent.wall_faces(), 0);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto area = [&](int plane, std::size_t i) {
-      if (axis == 0) return faces.area_x.empty() ? 0.0 : faces.area_x.row(plane, 0)[i];
-      return (axis == 1 ? faces.area_y : faces.area_z).row(plane, 0)[i];
-    };
-    for (int plane = 0; plane < extent.planes; ++plane)
-      for (std::size_t i = 0; i < n_theta; ++i) {
-        const std::size_t face = static_cast<std::size_t>(plane) * n_theta + i;
-        traction.force[axis][face] -= traction.pressure[face] * area(plane, i);
-      }
     if (!has(fluid, axis)) continue;
-    const Extended u(fluid, state, axis);
+    const WallLayer layer(fluid, u, axis);
     for (int plane = 0; plane < extent.planes; ++plane) {
-      const double *inside = u.f.row(plane, 0), *ghost = u.f.row(plane, -1);
+      const double *inside = layer.f.row(plane, 0), *ghost = layer.f.row(plane, -1);
       for (int i = 0; i < extent.n_theta; ++i) {
         double flux = faces.along.row(plane, 0)[i] * (inside[i] - ghost[i]) +
                       faces.across.row(plane, 0)[i] * 0.25 *
                           (inside[i + 1] - inside[i - 1] + ghost[i + 1] - ghost[i - 1]);
-        if (u.slope())
+        if (!layer.f_xi.empty())
           flux += faces.area_x.row(plane, 0)[i] * 0.5 *
-                  (u.f_xi.row(plane, 0)[i] + u.f_xi.row(plane, -1)[i]);
+                  (layer.f_xi.row(plane, 0)[i] + layer.f_xi.row(plane, -1)[i]);
         const std::size_t face = extent.wall_face(plane, i);
         traction.force[axis][face] += nu * flux;
         const double A_y = faces.area_y.row(plane, 0)[i], A_z = faces.area_z.row(plane, 0)[i];
@@ -77,6 +91,24 @@ WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
         if (axis == 2) traction.friction[face] += nu * flux * A_y / (A_y * A_y + A_z * A_z);
       }
     }
+  }
+  return traction;
+}
+
+WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
+  const Extent& extent = fluid.extent();
+  const FaceMetrics<double>& faces = fluid.metrics().rho_faces;
+  WallTraction traction = wall_friction(fluid, state.u);
+  traction.pressure = wall_pressure(state.p);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Field<double>& area =
+        axis == 0 ? faces.area_x : (axis == 1 ? faces.area_y : faces.area_z);
+    if (area.empty()) continue;
+    for (int plane = 0; plane < extent.planes; ++plane)
+      for (int i = 0; i < extent.n_theta; ++i) {
+        const std::size_t face = extent.wall_face(plane, i);
+        traction.force[axis][face] -= traction.pressure[face] * area.row(plane, 0)[i];
+      }
   }
   return traction;
 }

@@ -28,6 +28,11 @@ struct WallTraction {
 };
 
 WallTraction wall_traction(const Fluid&, const FluidState&);
+/// The part of the friction, of a velocity (components as FluidState::u) about the wall as it moves
+/// now; no pressure.
+WallTraction wall_friction(const Fluid&, const std::vector<Field<double>>& u);
+/// The pressure at the middle of the wall's faces.
+std::vector<double> wall_pressure(const Field<double>& p);
 
 /// The sum over both sides and the span, per unit of x: C_D and C_L are twice its y and z.
 Vector3 total_force(const Fluid&, const WallTraction&);

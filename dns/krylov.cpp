@@ -45,7 +45,7 @@ Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Opera
   Implementation& self = *implementation_;
   self.A = std::move(A);
   self.inverse_M = std::move(inverse_M);
-  const MPI_Comm comm = PETSC_COMM_WORLD;
+  const MPI_Comm comm = settings.is_of_one_rank ? PETSC_COMM_SELF : PETSC_COMM_WORLD;
   const auto n = static_cast<PetscInt>(unknowns);
   check(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, &self, self.matrix.address()));
   check(MatShellSetOperation(self.matrix, MATOP_MULT,
@@ -75,11 +75,9 @@ Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Opera
 
 Krylov::~Krylov() = default;
 
-KrylovSummary Krylov::solve(const double* b, double* x, double tolerance) {
+KrylovSummary Krylov::solve(const double* b, double* x, double tolerance, double relative) {
   Implementation& self = *implementation_;
-  // Relative to the first residual there is nothing to gain below rounding.
-  constexpr double least_relative = 1e-13;
-  check(KSPSetTolerances(self.method, least_relative, tolerance * self.root_unknowns, PETSC_DEFAULT,
+  check(KSPSetTolerances(self.method, relative, tolerance * self.root_unknowns, PETSC_DEFAULT,
                          PETSC_DEFAULT));
   check(VecPlaceArray(self.b, b));
   check(VecPlaceArray(self.x, x));

@@ -22,6 +22,7 @@ class Krylov {
     std::string name;  ///< also the prefix of PETSc's options, as -pressure_ksp_type
     int most_iterations = 100;
     int restart = 30;
+    bool is_of_one_rank = false;  ///< every rank solves a system of its own
   };
 
   /// `unknowns` of this rank. The method is GMRES unless PETSc's options say otherwise.
@@ -31,9 +32,12 @@ class Krylov {
   Krylov& operator=(const Krylov&) = delete;
 
   /// From the guess in x, until the root mean square of M^-1 (b - A x), an estimate of x's error,
-  /// is below `tolerance`. Throws what the operators throw, and SolverError where PETSc fails; not
-  /// to converge is no failure here.
-  KrylovSummary solve(const double* b, double* x, double tolerance);
+  /// is below `tolerance`, or below `relative` times that of x = 0. Throws what the operators throw,
+  /// and SolverError where PETSc fails; not to converge is no failure here.
+  KrylovSummary solve(const double* b, double* x, double tolerance,
+                      double relative = least_relative);
+  /// There is nothing to gain below rounding.
+  static constexpr double least_relative = 1e-13;
 
  private:
   struct Implementation;

@@ -247,6 +247,12 @@ bool TangentMatrix<dim>::factor_if_definite() {
 }
 
 template <int dim>
+void TangentMatrix<dim>::clear_held(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) const {
+  for (std::size_t node = 0; node < number_.size(); ++node)
+    if (number_[node] < 0) vectors.col(static_cast<Eigen::Index>(node)).setZero();
+}
+
+template <int dim>
 void TangentMatrix<dim>::solve(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) {
   const auto nodes = static_cast<Eigen::Index>(free_.size());
   for (Eigen::Index n = 0; n < nodes; ++n)

@@ -36,6 +36,8 @@ class TangentMatrix {
   /// turn.
   Eigen::SparseMatrix<double> matrix() const;
   const std::vector<int>& free_nodes() const { return free_; }
+  /// Sets the vectors of the held nodes to zero.
+  void clear_held(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) const;
 
   /// Factors what add() gave. False if it is singular to working precision.
   bool factor();

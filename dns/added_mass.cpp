@@ -1,0 +1,187 @@
+#include "dns/added_mass.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dns/flat_pressure.hpp"
+#include "dns/ghosts.hpp"
+#include "dns/span.hpp"
+
+namespace pennon::dns {
+namespace {
+
+using std::numbers::pi;
+
+// Rows: the cosines and sines of the periodic stations, orthonormal; their numbers of waves.
+Eigen::MatrixXd real_fourier(int stations, std::vector<int>& waves) {
+  Eigen::MatrixXd rows(stations, stations);
+  waves.resize(static_cast<std::size_t>(stations));
+  for (int k = 0; k < stations; ++k) {
+    const int n = std::min(k, stations - k);
+    waves[static_cast<std::size_t>(k)] = n;
+    const double norm = std::sqrt((n == 0 || 2 * n == stations ? 1.0 : 2.0) / stations);
+    for (int m = 0; m < stations; ++m) {
+      const double angle = 2 * pi * (static_cast<double>(n) * m) / stations;
+      rows(k, m) = norm * (2 * k <= stations ? std::cos(angle) : std::sin(angle));
+    }
+  }
+  return rows;
+}
+
+// E M^-1 E^T of the flat flag, its leading edge held.
+Eigen::MatrixXd flat_compliance(const FlagMesh& mesh, double mu) {
+  const int segments = mesh.chord_nodes() - 1;
+  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(segments, segments + 1);
+  Eigen::VectorXd inverse_mass(segments + 1);
+  for (int s = 0; s < segments; ++s) E(s, s) = E(s, s + 1) = mesh.dy(s) / 2;
+  for (int j = 0; j <= segments; ++j) inverse_mass[j] = 1 / (mu * mesh.chord_share(j));
+  inverse_mass[0] = 0;
+  return E * inverse_mass.asDiagonal() * E.transpose();
+}
+
+}  // namespace
+
+Eigen::MatrixXd flat_jump_response(const OGrid& grid, double k) {
+  const int n_theta = grid.n_theta(), segments = n_theta / 2;
+  FlatPressure flat(grid, k);
+  Eigen::MatrixXd response(segments, segments);
+  std::vector<double> p(static_cast<std::size_t>(grid.n_rho()) * static_cast<std::size_t>(n_theta));
+  for (int s = 0; s < segments; ++s) {
+    // lap p = -d/dt div v: what comes through the wall into the cell above leaves the one below.
+    std::ranges::fill(p, 0.0);
+    p[static_cast<std::size_t>(upper_face(n_theta, s))] = -1;
+    p[static_cast<std::size_t>(lower_face(n_theta, s))] = 1;
+    flat.solve(p.data());
+    const auto at_wall = [&](int face) {
+      const double* f = p.data() + face;
+      return wall_value(f[0], f[n_theta], f[2 * static_cast<std::ptrdiff_t>(n_theta)]);
+    };
+    for (int other = 0; other < segments; ++other)
+      response(other, s) =
+          at_wall(upper_face(n_theta, other)) - at_wall(lower_face(n_theta, other));
+  }
+  return response;
+}
+
+template <int dim>
+AddedMass<dim>::AddedMass(const OGrid& grid, const FlagMesh& mesh, double mu)
+    : stations_(mesh.stations()),
+      segments_(mesh.chord_nodes() - 1),
+      share_(mesh.is_two_d() ? 1.0 : mesh.dx()),
+      to_waves_(real_fourier(stations_, waves_)),
+      krylov_(
+          static_cast<std::size_t>(stations_) * static_cast<std::size_t>(segments_),
+          {.name = "added_mass", .most_iterations = 100, .restart = 50, .is_of_one_rank = true},
+          [this](const double* in, double* out) { multiply(in, out); },
+          [this](const double* in, double* out) { precondition(in, out); }) {
+  const Eigen::MatrixXd compliance = flat_compliance(mesh, mu);
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(segments_, segments_);
+  for (int waves = 0; 2 * waves <= stations_; ++waves) {
+    const bool is_dropped = stations_ > 1 && 2 * waves == stations_;  // from the fluid's pressure
+    const double k = Span::wavenumber(waves, stations_, mesh.span());
+    Eigen::MatrixXd response = Eigen::MatrixXd::Zero(segments_, segments_);
+    if (!is_dropped) response = flat_jump_response(grid, k);
+    preconditioner_.push_back((one + response * compliance).inverse().transpose());
+    response_.push_back(response.transpose());
+  }
+}
+
+template <int dim>
+void AddedMass<dim>::respond(const SegmentValues& flux, SegmentValues& jump) const {
+  coefficients_.noalias() = to_waves_ * flux;
+  jump_.resize(stations_, segments_);
+  for (int k = 0; k < stations_; ++k)
+    jump_.row(k).noalias() =
+        coefficients_.row(k) *
+        response_[static_cast<std::size_t>(waves_[static_cast<std::size_t>(k)])];
+  jump.noalias() = to_waves_.transpose() * jump_;
+}
+
+template <int dim>
+void AddedMass<dim>::find_flux(const NodeVectors<dim>& acceleration, SegmentValues& flux) const {
+  flux.resize(stations_, segments_);
+  for (int m = 0; m < stations_; ++m)
+    for (int s = 0; s < segments_; ++s) {
+      const int node = m * (segments_ + 1) + s;
+      flux(m, s) =
+          0.5 *
+          areas_.col(m * segments_ + s).dot(acceleration.col(node) + acceleration.col(node + 1));
+    }
+}
+
+template <int dim>
+void AddedMass<dim>::find_jump(const NodeVectors<dim>& acceleration, SegmentValues& jump) const {
+  find_flux(acceleration, flux_);
+  respond(flux_, jump);
+}
+
+template <int dim>
+void AddedMass<dim>::add_force(const SegmentValues& jump, NodeVectors<dim>& forces) const {
+  for (int m = 0; m < stations_; ++m)
+    for (int s = 0; s < segments_; ++s) {
+      const int node = m * (segments_ + 1) + s;
+      const auto half = 0.5 * share_ * jump(m, s) * areas_.col(m * segments_ + s);
+      forces.col(node) += half;
+      forces.col(node + 1) += half;
+    }
+}
+
+template <int dim>
+void AddedMass<dim>::subtract_force(const NodeVectors<dim>& acceleration,
+                                    NodeVectors<dim>& forces) const {
+  SegmentValues jump;
+  find_jump(acceleration, jump);
+  jump = -jump;
+  add_force(jump, forces);
+}
+
+// With s = Pi E x, x = K^-1 (r - mass_factor E^T s), so (1 + mass_factor Pi E K^-1 E^T) s =
+// Pi E K^-1 r.
+template <int dim>
+void AddedMass<dim>::solve(TangentMatrix<dim>& K, double mass_factor, NodeVectors<dim>& r) {
+  tangent_ = &K;
+  mass_factor_ = mass_factor;
+  K.solve(r);
+  SegmentValues right, s = SegmentValues::Zero(stations_, segments_);
+  find_jump(r, right);
+  krylov_.solve(right.data(), s.data(), 0, solution_error);
+  vectors_.setZero(dim, r.cols());
+  s *= mass_factor_;
+  add_force(s, vectors_);
+  K.clear_held(vectors_);
+  K.solve(vectors_);
+  r -= vectors_;
+}
+
+template <int dim>
+void AddedMass<dim>::multiply(const double* in, double* out) {
+  const Eigen::Map<const SegmentValues> s(in, stations_, segments_);
+  Eigen::Map<SegmentValues> result(out, stations_, segments_);
+  vectors_.setZero(dim, static_cast<Eigen::Index>(stations_) * (segments_ + 1));
+  SegmentValues jump = s;
+  add_force(jump, vectors_);
+  tangent_->clear_held(vectors_);
+  tangent_->solve(vectors_);
+  find_jump(vectors_, jump);
+  result = s + mass_factor_ * jump;
+}
+
+template <int dim>
+void AddedMass<dim>::precondition(const double* in, double* out) const {
+  const Eigen::Map<const SegmentValues> r(in, stations_, segments_);
+  Eigen::Map<SegmentValues> result(out, stations_, segments_);
+  coefficients_.noalias() = to_waves_ * r;
+  jump_.resize(stations_, segments_);
+  for (int k = 0; k < stations_; ++k)
+    jump_.row(k).noalias() =
+        coefficients_.row(k) *
+        preconditioner_[static_cast<std::size_t>(waves_[static_cast<std::size_t>(k)])];
+  result.noalias() = to_waves_.transpose() * jump_;
+}
+
+template class AddedMass<2>;
+template class AddedMass<3>;
+
+}  // namespace pennon::dns

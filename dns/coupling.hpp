@@ -1,0 +1,103 @@
+/// The flag and the fluid advanced together (section 3.3), implicitly coupled.
+///
+/// In a step the fluid's grid, convection and friction follow the flag as extrapolated from the
+/// last two steps; the pressure and the flag's motion at the end of the step are those that agree:
+///
+///   M a = F(x) + friction + A [p],   [p] = the fluid's answer to v
+///
+/// with x, v and a by the same backward differences as the fluid. They are found by passes. The
+/// flag is solved with the flat fluid's added mass, for the reduced jump g = [p] + Pi A.a, which is
+/// nearly the same whatever its acceleration; the fluid answers; Anderson's acceleration gives the
+/// next g. docs/theory/coupling.md derives this and shows how it converges.
+#pragma once
+
+#include "dns/added_mass.hpp"
+#include "dns/anderson.hpp"
+#include "dns/flag.hpp"
+#include "dns/flag_newton.hpp"
+#include "dns/fluid.hpp"
+#include "dns/fluid_forces.hpp"
+
+namespace pennon::dns {
+
+struct CouplingSettings {
+  /// Root mean square over the flag of what the passes leave of the pressure jump, in rho_f V^2; of
+  /// jumps larger than 1 it is relative.
+  double tolerance = 1e-5;
+  int most_passes = 50;
+  double pressure_tolerance = 1e-6;  ///< of the last passes, as FluidTolerances has it
+};
+
+/// What is advanced, saved and restarted. The flag is the same on every rank.
+template <int dim>
+struct CoupledState {
+  FluidState fluid;
+  FlagState<dim> flag;
+  SegmentValues jump, previous_jump;  ///< g; empty before there is one
+  double power = 0;                   ///< of the fluid on the flag, now
+};
+
+struct CoupledStepSummary {
+  FluidStepSummary fluid;
+  int passes = 0;
+  int flag_iterations = 0;
+  double residual = 0;      ///< of the last pass, as the tolerance has it
+  double flag_seconds = 0;  ///< of all passes
+};
+
+template <int dim>
+class Coupling {
+ public:
+  /// `flag`: of the mesh that coupled_chord() and the fluid's planes give; `gravity` in V^2/L.
+  Coupling(Fluid&, const Flag<dim>& flag, const Eigen::Matrix<double, dim, 1>& gravity,
+           const CouplingSettings&);
+
+  /// The flag at rest at x, in the uniform stream started impulsively at t.
+  CoupledState<dim> start(const NodeVectors<dim>& x, double t);
+
+  /// Advances by dt. Throws SolverError as Fluid::advance() does, and if the passes do not
+  /// converge.
+  CoupledStepSummary advance(CoupledState<dim>&, double dt);
+  /// The same with the flag held where it is.
+  CoupledStepSummary advance_held(CoupledState<dim>&, double dt);
+
+  /// Has the next step factor its own tangent, so that what follows depends on the state alone.
+  void forget_tangent() { newton_.forget_tangent(); }
+
+ private:
+  int corner(int node) const { return grid_.n_theta() / 2 - node; }
+  WallShape wall_of(const NodeVectors<dim>& x) const;
+  WallShape wall_ahead(const CoupledState<dim>&, const BackwardDifference&) const;
+  NodeVectors<dim> areas() const;
+  NodeVectors<dim> friction() const;
+  SegmentValues jump(const FluidState&) const;
+  void move_wall(const NodeVectors<dim>& v);
+  SegmentValues guessed_jump(const CoupledState<dim>&, const BackwardDifference&) const;
+  void solve_flag(const CoupledState<dim>&, const NodeVectors<dim>& friction,
+                  const SegmentValues& g, CoupledStepSummary&);
+  double root_mean_square(const SegmentValues&) const;
+  void accept(CoupledState<dim>&, const NodeVectors<dim>& friction, const SegmentValues& g);
+
+  Fluid& fluid_;
+  const Flag<dim>& flag_;
+  const OGrid& grid_;
+  CouplingSettings settings_;
+  AddedMass<dim> added_mass_;
+  FlagNewton<dim> newton_;
+  FlagEquation<dim> equation_;
+  Anderson acceleration_;
+  int stations_, segments_;
+  SegmentValues weights_;       // root of a segment's share of the flag
+  NodeVectors<dim> x_, v_, a_;  // at the end of the step, of the last pass
+};
+
+/// The chordwise nodes of a flag whose segments are the faces of the grid's wall.
+std::vector<double> coupled_chord(const OGrid&);
+
+/// The same positions with the stretch of the boundary layer's friction (4.1): T(y) = 1.3 Re^-1/2
+/// (1 - y^1/2) over K_S for each chordwise segment.
+template <int dim>
+NodeVectors<dim> stretched_by_friction(const FlagMesh&, const NodeVectors<dim>& x, double K_S,
+                                       double Re);
+
+}  // namespace pennon::dns
