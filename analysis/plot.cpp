@@ -22,7 +22,7 @@ Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
   if (kind == "flag_history") return figure_of_flag_history(file);
   if (kind == "flag_convergence") return figure_of_flag_convergence(file);
   if (kind == "flag_shapes") return figure_of_flag_shapes(file);
-  if (kind == "fluid_history") return figure_of_fluid_history(file);
+  if (kind == "fluid_history" || kind == "coupled_history") return figure_of_fluid_history(file);
   if (kind == "fluid_fields") return figure_of_fluid_fields(file);
   throw InputError(path.string(),
                    kind.empty() ? "is not a file that pennon wrote: it has no attribute `kind`"

@@ -16,10 +16,39 @@
 namespace pennon::app {
 namespace {
 
+// A normal mode of the family of [modes.normal], of largest displacement 1.
+dns::ShapeFunction mode_of(const Case& the_case, std::int64_t n, std::int64_t m) {
+  modes::Settings settings = the_case.modes;
+  settings.n = {n};
+  settings.m = m;
+  const modes::NormalModes found = modes::run(settings, the_case.flag, the_case.flow).modes;
+  const modes::NormalMode mode = found.modes.back();
+  constexpr int points = 200;
+  double largest = 0;
+  for (int k = 0; k <= points; ++k)
+    largest = std::max(largest, std::abs(mode.shape(static_cast<double>(k) / points)));
+  return [mode, largest](double x, double y) {
+    return mode.shape(y) / largest * std::cos(mode.k_x * x);
+  };
+}
+
+// Where the flag starts, unless straight.
 std::optional<dns::ShapeFunction> displacement_of(const Case& the_case) {
   const dns::InitialSettings& initial = the_case.dns.initial;
+  if (const double amplitude = initial.mode_amplitude; amplitude != 0)
+    return [amplitude, mode = mode_of(the_case, initial.n, initial.m)](double x, double y) {
+      return amplitude * mode(x, y);
+    };
   if (initial.A.empty() && initial.B.empty()) return std::nullopt;
   return modes::InitialShape(initial.A, initial.B, the_case.flag.gamma);
+}
+
+// What the flow's run needs of the flag's shape.
+std::optional<dns::ShapeFunction> shape_in_flow(const Case& the_case) {
+  const dns::MotionSettings& motion = the_case.dns.motion;
+  if (!motion.is_given) return displacement_of(the_case);
+  if (motion.kind != dns::MotionKind::mode) return std::nullopt;
+  return mode_of(the_case, motion.n, motion.m);
 }
 
 std::string text_of(const dns::RunResult& result) {
@@ -36,24 +65,6 @@ std::string text_of(const dns::RunResult& result) {
   return text;
 }
 
-// The mode that a prescribed motion follows, of largest displacement 1 at the trailing edge.
-dns::ShapeFunction mode_of(const Case& the_case) {
-  const dns::MotionSettings& motion = the_case.dns.motion;
-  if (motion.kind != dns::MotionKind::mode) return {};
-  modes::Settings settings = the_case.modes;
-  settings.n = {motion.n};
-  settings.m = motion.m;
-  const modes::NormalModes found = modes::run(settings, the_case.flag, the_case.flow).modes;
-  const modes::NormalMode mode = found.modes.back();
-  constexpr int points = 200;
-  double largest = 0;
-  for (int k = 0; k <= points; ++k)
-    largest = std::max(largest, std::abs(mode.shape(static_cast<double>(k) / points)));
-  return [mode, largest](double x, double y) {
-    return mode.shape(y) / largest * std::cos(mode.k_x * x);
-  };
-}
-
 std::string text_of(const dns::FluidRunResult& result) {
   const auto last = [&](const char* name) {
     const auto& columns = dns::columns_of_fluid_history();
@@ -61,7 +72,7 @@ std::string text_of(const dns::FluidRunResult& result) {
         columns, [&](const dns::FluidColumn& column) { return column.name == std::string(name); });
     return result.last[static_cast<std::size_t>(found - columns.begin())];
   };
-  return fmt::format(
+  std::string text = fmt::format(
       "  {}: {} cells, {} steps to t = {:.6g} in {:.3g} s, {:.3g} ns per cell and step\n"
       "  pressure iterations {:.2f} on average, {} at most; least area of a cell {:.3f} of that at "
       "rest\n"
@@ -71,19 +82,28 @@ std::string text_of(const dns::FluidRunResult& result) {
           static_cast<double>(result.cells),
       result.pressure_iterations_mean, result.pressure_iterations_max, result.least_area,
       last("C_D"), last("C_L"), last("energy_defect"));
+  if (result.is_coupled)
+    text += fmt::format(
+        "  z of the trailing edge {:.6g}; coupling passes {:.2f} on average, {} at most\n",
+        last("z_trailing_edge"), result.passes_mean, result.passes_max);
+  return text;
 }
 
 Answer run_fluid(const Case& the_case, const std::optional<std::filesystem::path>& checkpoint,
                  const OutputFolder& folder, Record& record, const Options& options) {
   const dns::FluidRunResult result = [&] {
     const auto timer = record.time("dns");
-    return dns::run_fluid(the_case.dns, the_case.flag, the_case.flow, mode_of(the_case), checkpoint,
-                          folder, !options.quiet && ranks::is_leading());
+    return dns::run_fluid(the_case.dns, the_case.flag, the_case.flow, shape_in_flow(the_case),
+                          checkpoint, folder, !options.quiet && ranks::is_leading());
   }();
   const auto timer = record.time("pictures");
   if (ranks::is_leading()) analysis::plot(folder / "history.h5");
+  if (ranks::is_leading() && std::filesystem::exists(folder / "shapes.h5"))
+    analysis::plot(folder / "shapes.h5");
   return {{{"dns", to_json(result)}},
-          fmt::format("{}: the fluid about a flag that moves as prescribed\n{}", the_case.name,
+          fmt::format("{}: {}\n{}", the_case.name,
+                      result.is_coupled ? "flag and flow together"
+                                        : "the fluid about a flag that moves as prescribed",
                       text_of(result))};
 }
 
@@ -110,11 +130,6 @@ Answer run_convergence(const Case& the_case, const OutputFolder& folder, Record&
 
 void run_dns(const Options& options, const std::string& restart) {
   const auto prepare = [&](Case& the_case) {
-    if (the_case.has_flow && !the_case.dns.motion.is_given)
-      throw InputError(options.case_file,
-                       "has [flow] but no [dns.motion]: a flag that the flow moves cannot be "
-                       "simulated so far; give its motion, or leave [flow] out for the flag by "
-                       "itself");
     if (!the_case.has_flow && ranks::count() > 1)
       throw InputError("mpiexec", fmt::format("started {} ranks, but a flag by itself runs on one",
                                               ranks::count()));

@@ -60,7 +60,7 @@ Coupling<dim>::Coupling(Fluid& fluid, const Flag<dim>& flag,
       added_mass_(fluid.grid(), flag.mesh(), flag.material().mu),
       newton_(flag, {.contraction = contraction<dim>}),
       acceleration_(Eigen::Index{flag.mesh().stations()} * (flag.mesh().chord_nodes() - 1),
-                    settings.most_passes),
+                    static_cast<int>(settings.most_passes)),
       stations_(flag.mesh().stations()),
       segments_(flag.mesh().chord_nodes() - 1),
       weights_(stations_, segments_) {
@@ -138,9 +138,9 @@ NodeVectors<dim> Coupling<dim>::areas() const {
   return Eigen::Map<const NodeVectors<dim>>(all.data(), dim, Eigen::Index{stations_} * segments_);
 }
 
-// Of both sides, on the nodes.
+// Those on the nodes that the passes do not change: the friction of both sides and outer_force_.
 template <int dim>
-NodeVectors<dim> Coupling<dim>::friction() const {
+NodeVectors<dim> Coupling<dim>::fixed_forces() const {
   const WallTraction traction = wall_friction(fluid_, fluid_.predicted_velocity());
   std::vector<double> local;
   for (int plane = 0; plane < fluid_.extent().planes; ++plane)
@@ -153,7 +153,8 @@ NodeVectors<dim> Coupling<dim>::friction() const {
       }
   const std::vector<double> all = ranks::gather_all(local);
   const double half = 0.5 * (dim == 2 ? 1.0 : flag_.mesh().dx());
-  NodeVectors<dim> forces = NodeVectors<dim>::Zero(dim, flag_.mesh().nodes());
+  NodeVectors<dim> forces = outer_force_;
+  if (forces.size() == 0) forces.setZero(dim, flag_.mesh().nodes());
   const double* force = all.data();
   for (int m = 0; m < stations_; ++m)
     for (int s = 0; s < segments_; ++s, force += dim) {
@@ -211,10 +212,10 @@ double Coupling<dim>::root_mean_square(const SegmentValues& jump) const {
 
 // The flag's end of the step under the reduced jump g: x_, v_, a_.
 template <int dim>
-void Coupling<dim>::solve_flag(const CoupledState<dim>& state, const NodeVectors<dim>& friction,
+void Coupling<dim>::solve_flag(const CoupledState<dim>& state, const NodeVectors<dim>& fixed,
                                const SegmentValues& g, CoupledStepSummary& summary) {
   const auto begin = Clock::now();
-  equation_.loads.node_forces = friction;
+  equation_.loads.node_forces = fixed;
   added_mass_.add_force(g, equation_.loads.node_forces);
   StepSummary newton;
   if (!newton_.solve(state.flag.x, equation_, x_, v_, newton))
@@ -233,7 +234,7 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   const BackwardDifference D(dt, state.fluid.previous_dt);
   CoupledStepSummary summary;
   fluid_.begin_step(state.fluid, wall_ahead(state, D), dt);
-  const NodeVectors<dim> friction = this->friction();
+  const NodeVectors<dim> fixed = fixed_forces();
   added_mass_.set_areas(areas());
   equation_.pose(state.flag, D, dt);
   // An error of the positions is one of the jump, mass_factor (mu + added mass) times as large.
@@ -243,9 +244,9 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   x_ = state.flag.x + dt * state.flag.v;
   acceleration_.restart();
   for (summary.passes = 1;; ++summary.passes) {
-    solve_flag(state, friction, g, summary);
+    solve_flag(state, fixed, g, summary);
     move_wall(v_);
-    fluid_.solve_pressure(state.fluid, settings_.pressure_tolerance);
+    fluid_.solve_pressure(state.fluid, fluid_.tolerances().pressure);
     SegmentValues change;
     added_mass_.find_jump(a_, change);
     change += jump(state.fluid) - g;
@@ -264,16 +265,16 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
                           Eigen::Map<Eigen::VectorXd>(change.data(), change.size()));
     g = g.cwiseQuotient(weights_).eval();
   }
-  accept(state, friction, g);
+  accept(state, fixed, g);
   summary.fluid = fluid_.finish_step(state.fluid);
   return summary;
 }
 
 template <int dim>
-void Coupling<dim>::accept(CoupledState<dim>& state, const NodeVectors<dim>& friction,
+void Coupling<dim>::accept(CoupledState<dim>& state, const NodeVectors<dim>& fixed,
                            const SegmentValues& g) {
   FlagState<dim>& flag = state.flag;
-  NodeVectors<dim> force = friction;
+  NodeVectors<dim> force = fixed;
   added_mass_.add_force(jump(state.fluid), force);
   const double power = force.cwiseProduct(v_).sum();
   flag.work += equation_.dt * (state.power + power) / 2;

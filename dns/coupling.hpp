@@ -13,20 +13,13 @@
 
 #include "dns/added_mass.hpp"
 #include "dns/anderson.hpp"
+#include "dns/coupling_settings.hpp"
 #include "dns/flag.hpp"
 #include "dns/flag_newton.hpp"
 #include "dns/fluid.hpp"
 #include "dns/fluid_forces.hpp"
 
 namespace pennon::dns {
-
-struct CouplingSettings {
-  /// Root mean square over the flag of what the passes leave of the pressure jump, in rho_f V^2; of
-  /// jumps larger than 1 it is relative.
-  double tolerance = 1e-5;
-  int most_passes = 50;
-  double pressure_tolerance = 1e-6;  ///< of the last passes, as FluidTolerances has it
-};
 
 /// What is advanced, saved and restarted. The flag is the same on every rank.
 template <int dim>
@@ -61,6 +54,9 @@ class Coupling {
   /// The same with the flag held where it is.
   CoupledStepSummary advance_held(CoupledState<dim>&, double dt);
 
+  /// On the nodes, beside the fluid's and gravity, at the end of the next steps; empty: none.
+  void set_outer_force(NodeVectors<dim> force) { outer_force_ = std::move(force); }
+
   /// Has the next step factor its own tangent, so that what follows depends on the state alone.
   void forget_tangent() { newton_.forget_tangent(); }
 
@@ -69,14 +65,14 @@ class Coupling {
   WallShape wall_of(const NodeVectors<dim>& x) const;
   WallShape wall_ahead(const CoupledState<dim>&, const BackwardDifference&) const;
   NodeVectors<dim> areas() const;
-  NodeVectors<dim> friction() const;
+  NodeVectors<dim> fixed_forces() const;
   SegmentValues jump(const FluidState&) const;
   void move_wall(const NodeVectors<dim>& v);
   SegmentValues guessed_jump(const CoupledState<dim>&, const BackwardDifference&) const;
-  void solve_flag(const CoupledState<dim>&, const NodeVectors<dim>& friction,
-                  const SegmentValues& g, CoupledStepSummary&);
+  void solve_flag(const CoupledState<dim>&, const NodeVectors<dim>& fixed, const SegmentValues& g,
+                  CoupledStepSummary&);
   double root_mean_square(const SegmentValues&) const;
-  void accept(CoupledState<dim>&, const NodeVectors<dim>& friction, const SegmentValues& g);
+  void accept(CoupledState<dim>&, const NodeVectors<dim>& fixed, const SegmentValues& g);
 
   Fluid& fluid_;
   const Flag<dim>& flag_;
@@ -86,6 +82,7 @@ class Coupling {
   FlagNewton<dim> newton_;
   FlagEquation<dim> equation_;
   Anderson acceleration_;
+  NodeVectors<dim> outer_force_;
   int stations_, segments_;
   SegmentValues weights_;       // root of a segment's share of the flag
   NodeVectors<dim> x_, v_, a_;  // at the end of the step, of the last pass

@@ -59,17 +59,6 @@ Flag<dim>::Flag(FlagMesh mesh, const FlagMaterial& material)
 }
 
 template <int dim>
-NodeVectors<dim> Flag<dim>::rest() const {
-  NodeVectors<dim> x = NodeVectors<dim>::Zero(dim, mesh_.nodes());
-  for (int i = 0; i < mesh_.stations(); ++i)
-    for (int j = 0; j < mesh_.chord_nodes(); ++j) {
-      x(dim - 2, mesh_.index(i, j)) = mesh_.y(j);
-      if constexpr (dim == 3) x(0, mesh_.index(i, j)) = mesh_.x(i);
-    }
-  return x;
-}
-
-template <int dim>
 void Flag<dim>::clear_held(NodeVectors<dim>& vectors) const {
   for (int node = 0; node < mesh_.nodes(); ++node)
     if (is_held_[static_cast<std::size_t>(node)]) vectors.col(node).setZero();

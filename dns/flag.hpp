@@ -59,7 +59,7 @@ class Flag {
   const Stretch<dim>& stretch() const { return stretch_; }
 
   /// The flat flag without stress, dim x nodes.
-  NodeVectors<dim> rest() const;
+  NodeVectors<dim> rest() const { return dns::rest<dim>(mesh_); }
   /// A matrix with the pattern of the tangent.
   std::unique_ptr<TangentMatrix<dim>> tangent_matrix() const;
 

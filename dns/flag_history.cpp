@@ -52,7 +52,7 @@ std::string array_name(const char* quantity, std::size_t shape) {
 constexpr const char* shapes_file = "shapes.h5";
 
 // Writes each shape as arrays of its own and says where they are, if `file` is that of the shapes.
-std::vector<xdmf::Grid> write_shapes(const FlagShapes& shapes, hdf5::Writer& file) {
+std::vector<xdmf::Grid> write_arrays(const FlagShapes& shapes, hdf5::Writer& file) {
   file.write("/shape_times", {shapes.times.size()}, shapes.times, {{"meaning", "t, in L/V"}});
   const hdf5::Shape nodes = {shapes.rows, shapes.columns};
   const hdf5::Shape cells = {std::max<hsize_t>(shapes.rows - 1, 1), shapes.columns - 1};
@@ -81,27 +81,6 @@ std::vector<xdmf::Grid> write_shapes(const FlagShapes& shapes, hdf5::Writer& fil
     series.push_back(std::move(grid));
   }
   return series;
-}
-
-FlagShapes read_shapes(const hdf5::Reader& file) {
-  FlagShapes shapes;
-  shapes.times = file.read("/shape_times").values;
-  for (std::size_t s = 0; s < shapes.times.size(); ++s) {
-    hdf5::Array positions = file.read(array_name("position", s));
-    shapes.rows = positions.shape[0];
-    shapes.columns = positions.shape[1];
-    shapes.positions.push_back(std::move(positions.values));
-    const auto read = [&](const std::array<Quantity, 3>& quantities) {
-      std::array<std::vector<double>, 3> values;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (const std::string array = array_name(quantities[k].name, s); file.contains(array))
-          values[k] = file.read(array).values;
-      return values;
-    };
-    shapes.velocities.push_back(read(velocities));
-    shapes.strains.push_back(read(strains));
-  }
-  return shapes;
 }
 
 }  // namespace
@@ -193,6 +172,44 @@ template void add_shape(const Flag<2>&, double, const NodeVectors<2>&, const Nod
 template void add_shape(const Flag<3>&, double, const NodeVectors<3>&, const NodeVectors<3>&,
                         FlagShapes&);
 
+void write_shapes(const FlagShapes& shapes, const std::vector<double>& contour_times,
+                  const std::filesystem::path& folder) {
+  if (shapes.times.empty()) return;
+  hdf5::Writer file(folder / shapes_file);
+  file.attributes({{"kind", "flag_shapes"}});
+  const std::vector<xdmf::Grid> series = write_arrays(shapes, file);
+  file.write("/contour_times", {contour_times.size()}, contour_times,
+             {{"meaning", "of the shapes whose strain is drawn, in L/V"}});
+  file.finish();
+  xdmf::write(folder / "shapes.xdmf", "flag", series);
+}
+
+void write_shapes(const FlagShapes& shapes, hdf5::Writer& file) {
+  if (!shapes.times.empty()) write_arrays(shapes, file);
+}
+
+FlagShapes read_shapes(const hdf5::Reader& file) {
+  FlagShapes shapes;
+  if (!file.contains("/shape_times")) return shapes;
+  shapes.times = file.read("/shape_times").values;
+  for (std::size_t s = 0; s < shapes.times.size(); ++s) {
+    hdf5::Array positions = file.read(array_name("position", s));
+    shapes.rows = positions.shape[0];
+    shapes.columns = positions.shape[1];
+    shapes.positions.push_back(std::move(positions.values));
+    const auto read = [&](const std::array<Quantity, 3>& quantities) {
+      std::array<std::vector<double>, 3> values;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const std::string array = array_name(quantities[k].name, s); file.contains(array))
+          values[k] = file.read(array).values;
+      return values;
+    };
+    shapes.velocities.push_back(read(velocities));
+    shapes.strains.push_back(read(strains));
+  }
+  return shapes;
+}
+
 void write_history(const FlagHistory& history, const std::vector<double>& contour_times,
                    const std::filesystem::path& folder) {
   std::vector<std::string> names;
@@ -206,19 +223,12 @@ void write_history(const FlagHistory& history, const std::vector<double>& contou
   write_rows(history, rows);
   rows.finish();
 
-  if (history.shapes.times.empty()) return;
-  hdf5::Writer shapes(folder / shapes_file);
-  shapes.attributes({{"kind", "flag_shapes"}});
-  const std::vector<xdmf::Grid> series = write_shapes(history.shapes, shapes);
-  shapes.write("/contour_times", {contour_times.size()}, contour_times,
-               {{"meaning", "of the shapes whose strain is drawn, in L/V"}});
-  shapes.finish();
-  xdmf::write(folder / "shapes.xdmf", "flag", series);
+  write_shapes(history.shapes, contour_times, folder);
 }
 
 void write_history(const FlagHistory& history, hdf5::Writer& file) {
   write_rows(history, file);
-  if (!history.shapes.times.empty()) write_shapes(history.shapes, file);
+  write_shapes(history.shapes, file);
 }
 
 FlagHistory read_history(const hdf5::Reader& file) {
@@ -230,7 +240,7 @@ FlagHistory read_history(const hdf5::Reader& file) {
                 history_columns, row.begin());
     history.rows.push_back(row);
   }
-  if (file.contains("/shape_times")) history.shapes = read_shapes(file);
+  history.shapes = read_shapes(file);
   return history;
 }
 

@@ -41,14 +41,21 @@ template <int dim>
 void add_shape(const Flag<dim>&, double t, const NodeVectors<dim>& x, const NodeVectors<dim>& v,
                FlagShapes&);
 
+/// Writes shapes.h5 (kind = "flag_shapes") with shapes.xdmf, by which ParaView draws it; nothing
+/// without shapes. `contour_times`: of the shapes whose strain will be drawn, kept in shapes.h5.
+/// Throws FileError.
+void write_shapes(const FlagShapes&, const std::vector<double>& contour_times,
+                  const std::filesystem::path& folder);
+/// The same as part of a checkpoint.
+void write_shapes(const FlagShapes&, hdf5::Writer&);
+FlagShapes read_shapes(const hdf5::Reader&);
+
 struct FlagHistory {
   std::vector<HistoryRow> rows;
   FlagShapes shapes;
 };
 
-/// Writes history.csv and history.h5 (kind = "flag_history"), and if there are shapes shapes.h5
-/// (kind = "flag_shapes") with shapes.xdmf, by which ParaView draws it. `contour_times`: of the
-/// shapes whose strain will be drawn, kept in shapes.h5. Throws FileError.
+/// Writes history.csv and history.h5 (kind = "flag_history"), and the shapes. Throws FileError.
 void write_history(const FlagHistory&, const std::vector<double>& contour_times,
                    const std::filesystem::path& folder);
 

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "common/csv.hpp"
 #include "common/errors.hpp"
@@ -15,6 +14,7 @@
 #include "common/progress.hpp"
 #include "dns/flag_statics.hpp"
 #include "dns/flag_stepper.hpp"
+#include "dns/initial_shape.hpp"
 #include "dns/schedule.hpp"
 
 namespace pennon::dns {
@@ -89,46 +89,6 @@ FlagLoads<dim> loads_of(const Settings& settings, const FlagParameters& paramete
   return loads;
 }
 
-// The start: the mode of a plate, straight at an angle, or displaced with every chordwise segment
-// at its length.
-template <int dim>
-NodeVectors<dim> initial_shape(const Settings& settings, const std::optional<ShapeFunction>& zeta,
-                               const Flag<dim>& flag) {
-  const FlagMesh& mesh = flag.mesh();
-  NodeVectors<dim> x = flag.rest();
-  if constexpr (dim == 3)
-    if (const double amplitude = settings.initial.plate_mode; amplitude != 0) {
-      for (int i = 0; i < mesh.stations(); ++i)
-        for (int j = 0; j < mesh.chord_nodes(); ++j)
-          x(2, mesh.index(i, j)) = amplitude *
-                                   std::sin(std::numbers::pi * mesh.x(i) / mesh.span()) *
-                                   std::sin(std::numbers::pi * mesh.y(j));
-      return x;
-    }
-  const double angle = settings.initial.angle;
-  for (int i = 0; i < mesh.stations(); ++i)
-    for (int j = 1; j < mesh.chord_nodes(); ++j) {
-      auto node = x.col(mesh.index(i, j));
-      if (!zeta) {
-        node[dim - 2] = mesh.y(j) * std::cos(angle);
-        node[dim - 1] = mesh.y(j) * std::sin(angle);
-        continue;
-      }
-      const auto before = x.col(mesh.index(i, j - 1));
-      node[dim - 1] = (*zeta)(mesh.x(i), mesh.y(j)) - (*zeta)(mesh.x(i), 0);
-      const double rise = node[dim - 1] - before[dim - 1];
-      const double run = mesh.dy(j - 1) * mesh.dy(j - 1) - rise * rise;
-      if (run <= 0)
-        throw InputError(
-            "dns.initial",
-            fmt::format("the shape is steeper than the flag is long between y = {:.3g} and "
-                        "{:.3g}; take smaller amplitudes",
-                        mesh.y(j - 1), mesh.y(j)));
-      node[dim - 2] = before[dim - 2] + std::sqrt(run);
-    }
-  return x;
-}
-
 template <int dim>
 class FlagRun {
  public:
@@ -141,7 +101,7 @@ class FlagRun {
         probe_(nearest_node(flag_.mesh(), settings.output.probe_x, settings.output.probe_y)),
         stepper_(flag_, settings.flag.scheme,
                  {.tolerance = settings.flag.tolerance, .contraction = contraction<dim>}),
-        state_(stepper_.start(initial_shape(settings, zeta, flag_))) {
+        state_(stepper_.start(initial_shape<dim>(settings.initial, zeta, flag_.mesh()))) {
     result_.nodes = flag_.mesh().nodes();
   }
 

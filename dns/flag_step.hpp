@@ -3,11 +3,25 @@
 
 #include <Eigen/Core>
 
+#include "dns/flag_mesh.hpp"
+
 namespace pennon::dns {
 
 /// A vector for each node, dim x nodes: (x, y, z), in two dimensions (y, z).
 template <int dim>
 using NodeVectors = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+
+/// The flat flag without stress.
+template <int dim>
+NodeVectors<dim> rest(const FlagMesh& mesh) {
+  NodeVectors<dim> x = NodeVectors<dim>::Zero(dim, mesh.nodes());
+  for (int i = 0; i < mesh.stations(); ++i)
+    for (int j = 0; j < mesh.chord_nodes(); ++j) {
+      x(dim - 2, mesh.index(i, j)) = mesh.y(j);
+      if constexpr (dim == 3) x(0, mesh.index(i, j)) = mesh.x(i);
+    }
+  return x;
+}
 
 /// Where forces are taken between the start and the end of a step.
 enum class Pairing {

@@ -80,6 +80,7 @@ class Fluid {
   const OGrid& grid() const { return grid_; }
   const Span& span() const { return span_; }
   const FluidParameters& parameters() const { return parameters_; }
+  const FluidTolerances& tolerances() const { return tolerances_; }
   const Extent& extent() const { return extent_; }
   int components() const { return components_; }
   const Metrics<double>& metrics() const { return metrics_; }

@@ -26,10 +26,25 @@ void append(const std::vector<double>& values, std::vector<double>& all) {
   all.insert(all.end(), values.begin(), values.end());
 }
 
-hdf5::Attributes column_names() {
+std::vector<FluidColumn> columns_of(const FluidHistory& history) {
+  std::vector<FluidColumn> columns(columns_of_fluid_history().begin(),
+                                   columns_of_fluid_history().end());
+  if (!history.flag.empty())
+    columns.insert(columns.end(), columns_of_coupled_flag().begin(),
+                   columns_of_coupled_flag().end());
+  return columns;
+}
+
+std::vector<double> row_of(const FluidHistory& history, std::size_t r) {
+  std::vector<double> row(history.rows[r].begin(), history.rows[r].end());
+  if (!history.flag.empty()) row.insert(row.end(), history.flag[r].begin(), history.flag[r].end());
+  return row;
+}
+
+hdf5::Attributes column_names(const std::vector<FluidColumn>& columns) {
   hdf5::Attributes attributes;
   std::string names;
-  for (const FluidColumn& column : columns_of_fluid_history()) {
+  for (const FluidColumn& column : columns) {
     if (!names.empty()) names += ',';
     names += column.name;
     attributes[column.name] = std::string(column.meaning);
@@ -64,6 +79,26 @@ const std::array<FluidColumn, fluid_columns>& columns_of_fluid_history() {
       {"grid_passes", "of the step, the most of a plane"},
       {"least_area", "of a cell, over its area at rest"},
       {"CFL", "largest Courant number of the step"},
+  }};
+  return columns;
+}
+
+const std::array<FluidColumn, coupled_columns>& columns_of_coupled_flag() {
+  static const std::array<FluidColumn, coupled_columns> columns = {{
+      {"flag_kinetic", "kinetic energy of the flag, in rho_f V^2 L^2 per span"},
+      {"bending", "bending energy of the flag, in the same unit"},
+      {"stretch_2d", "energy of its chordwise strain, in the same unit"},
+      {"stretch_3d", "what the span adds to the energy of stretch, in the same unit"},
+      {"gravity", "gravitational energy of the flag, in the same unit"},
+      {"damping_dissipated", "by the flag's damping since the start, in the same unit"},
+      {"fluid_work", "of the fluid and a kick on the flag since the start, in the same unit"},
+      {"flag_defect",
+       "energies of the flag gained since the first row, with the dissipated, less the work: the "
+       "method's error, in the same unit"},
+      {"coupling_passes", "of the step"},
+      {"coupling_residual", "pressure jump that the last pass left, root mean square, rho_f V^2"},
+      {"least_strain", "of all segments"},
+      {"greatest_strain", "of all segments"},
   }};
   return columns;
 }
@@ -130,22 +165,28 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
 
 void write_history(const FluidHistory& history, int planes, std::size_t probes,
                    hdf5::Writer& file) {
+  const std::vector<FluidColumn> columns = columns_of(history);
   std::vector<double> values;
-  for (const FluidRow& row : history.rows) values.insert(values.end(), row.begin(), row.end());
+  for (std::size_t r = 0; r < history.rows.size(); ++r) append(row_of(history, r), values);
   const hsize_t rows = history.rows.size();
-  file.write("/history", {rows, fluid_columns}, values, column_names());
+  file.write("/history", {rows, columns.size()}, values, column_names(columns));
   file.write("/stations", {rows, static_cast<hsize_t>(planes), values_of_station}, history.stations,
              {{"meaning", "drag, lift and side force of each plane, in rho_f V^2 L per span"}});
+  if (!history.flag.empty())
+    file.write("/trailing_edge", {rows, static_cast<hsize_t>(planes), values_of_station},
+               history.trailing_edge,
+               {{"meaning", "position x, y, z of the trailing edge at each station, in L"}});
   if (probes == 0) return;
   file.write("/probes", {rows, probes, static_cast<hsize_t>(planes), values_of_probe},
              history.probes, {{"meaning", "v, w, u, p, in V and rho_f V^2"}});
 }
 
-void write_history(const FluidHistory& history, const Span& span, const ProbeSettings& probes,
+void write_history(const FluidHistory& history, const Span& span, const Settings& settings,
                    const std::filesystem::path& folder) {
   if (!ranks::is_leading()) return;
+  const ProbeSettings& probes = settings.probes;
   std::vector<std::string> names;
-  for (const FluidColumn& column : columns_of_fluid_history()) names.emplace_back(column.name);
+  for (const FluidColumn& column : columns_of(history)) names.emplace_back(column.name);
   const std::size_t count = probes.y.size();
   for (std::size_t k = 0; k < count; ++k)
     for (const char* value : {"v", "w", "u", "p"}) names.push_back(fmt::format("{}_{}", value, k));
@@ -154,7 +195,7 @@ void write_history(const FluidHistory& history, const Span& span, const ProbeSet
       names);
   const auto planes = static_cast<std::size_t>(span.planes());
   for (std::size_t r = 0; r < history.rows.size(); ++r) {
-    std::vector<double> row(history.rows[r].begin(), history.rows[r].end());
+    std::vector<double> row = row_of(history, r);
     for (std::size_t k = 0; k < count; ++k) {
       const double* probe = history.probes.data() + (r * count + k) * planes * values_of_probe;
       row.insert(row.end(), probe, probe + values_of_probe);
@@ -164,24 +205,29 @@ void write_history(const FluidHistory& history, const Span& span, const ProbeSet
   write_file(folder / "history.csv", table.text());
 
   hdf5::Writer file(folder / "history.h5");
-  file.attributes({{"kind", "fluid_history"}, {"span", span.length()}});
+  file.attributes({{"kind", history.flag.empty() ? "fluid_history" : "coupled_history"},
+                   {"span", span.length()}});
   write_history(history, span.planes(), count, file);
   if (count > 0) {
     file.write("/probe_y", {count}, probes.y, {{"meaning", "in L"}});
     file.write("/probe_z", {count}, probes.z, {{"meaning", "in L"}});
   }
   file.finish();
+  write_shapes(history.shapes, settings.output.contour_times, folder);
 }
 
 FluidHistory read_fluid_history(const hdf5::Reader& file) {
   FluidHistory history;
   const hdf5::Array rows = file.read("/history");
+  const std::size_t columns = rows.shape[1];
   for (std::size_t r = 0; r < rows.shape[0]; ++r) {
-    FluidRow row;
-    std::copy_n(rows.values.begin() + static_cast<std::ptrdiff_t>(r * fluid_columns), fluid_columns,
-                row.begin());
-    history.rows.push_back(row);
+    const double* values = rows.values.data() + r * columns;
+    std::copy_n(values, fluid_columns, history.rows.emplace_back().begin());
+    if (columns > fluid_columns)
+      std::copy_n(values + fluid_columns, coupled_columns, history.flag.emplace_back().begin());
   }
+  if (file.contains("/trailing_edge")) history.trailing_edge = file.read("/trailing_edge").values;
+  history.shapes = read_shapes(file);
   history.stations = file.read("/stations").values;
   if (file.contains("/probes")) history.probes = file.read("/probes").values;
   return history;

@@ -1,4 +1,5 @@
-/// What a run of the fluid keeps: rows of numbers, the forces on each plane, and the probes.
+/// What a run of the flow keeps: rows of numbers, the forces on each plane, the probes, and of a
+/// flag that the flow moves its energies, its trailing edge and its shapes.
 #pragma once
 
 #include <array>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "common/hdf5.hpp"
+#include "dns/flag_history.hpp"
 #include "dns/fluid.hpp"
 #include "dns/fluid_forces.hpp"
 #include "dns/settings.hpp"
@@ -17,23 +19,32 @@ struct FluidColumn {
   const char* meaning;
 };
 
-inline constexpr std::size_t fluid_columns = 20;
+inline constexpr std::size_t fluid_columns = 20, coupled_columns = 12;
 const std::array<FluidColumn, fluid_columns>& columns_of_fluid_history();
 using FluidRow = std::array<double, fluid_columns>;
+using CoupledRow = std::array<double, coupled_columns>;
 
 struct FluidHistory {
   std::vector<FluidRow> rows;
   std::vector<double> stations;  ///< [row][plane]: drag, lift, side force per span
   std::vector<double> probes;    ///< [row][probe][plane]: v, w, u, p
+
+  std::vector<CoupledRow> flag;       ///< for each row; none where the flag moves as prescribed
+  std::vector<double> trailing_edge;  ///< [row][station]: x, y, z
+  FlagShapes shapes;
 };
+
+/// The numbers of the flag in a coupled run, beside those of the fluid.
+const std::array<FluidColumn, coupled_columns>& columns_of_coupled_flag();
 
 /// Adds a row for a state; stations and probes on the leading rank alone. Every rank calls. Probes
 /// in the order of the settings; one outside the grid is NaN.
 void add_row(const Fluid&, const FluidState&, const FluidStepSummary&, const ProbeSettings&,
              FluidHistory&);
 
-/// Writes history.csv and history.h5 (kind = "fluid_history"). Throws FileError.
-void write_history(const FluidHistory&, const Span&, const ProbeSettings&,
+/// Writes history.csv and history.h5 (kind = "fluid_history", with a flag that the flow moves
+/// "coupled_history"), and the shapes. Throws FileError.
+void write_history(const FluidHistory&, const Span&, const Settings&,
                    const std::filesystem::path& folder);
 
 /// The same as part of a checkpoint.

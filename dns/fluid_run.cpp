@@ -12,6 +12,7 @@
 #include "common/interrupt.hpp"
 #include "common/progress.hpp"
 #include "common/ranks.hpp"
+#include "dns/flow_body.hpp"
 #include "dns/fluid_fields.hpp"
 #include "dns/schedule.hpp"
 
@@ -23,6 +24,9 @@ using Clock = std::chrono::steady_clock;
 
 // Steps change no faster, so that backward differences stay stable.
 constexpr double most_growth = 1.2, most_shrinkage = 0.6;
+
+// A displaced flag in a stream started at once is at its fastest at first.
+constexpr double share_of_first_step = 0.05;
 
 constexpr double slack = 1e-9;  // of a step, for times that are multiples of it but for rounding
 
@@ -40,14 +44,22 @@ Span span_of(const Settings& settings, const FlagParameters& flag) {
   return flag.gamma ? Span(static_cast<int>(settings.n_x), *flag.gamma) : Span(1, 1.0);
 }
 
+std::unique_ptr<FlowBody> body_of(Fluid& fluid, const Settings& settings,
+                                  const FlagParameters& flag,
+                                  const std::optional<ShapeFunction>& shape) {
+  if (!settings.motion.is_given) return coupled_body(fluid, settings, flag, shape);
+  return prescribed_body(fluid, prescribed_motion(settings.motion, fluid.grid(), fluid.span(),
+                                                  shape.value_or(ShapeFunction())));
+}
+
 class FluidRun {
  public:
   FluidRun(const Settings& settings, const FlagParameters& flag, const FlowParameters& flow,
-           const ShapeFunction& mode, const OutputFolder& folder)
+           const std::optional<ShapeFunction>& shape, const OutputFolder& folder)
       : settings_(settings),
         folder_(folder),
         fluid_(fluid_of(settings, flag, flow)),
-        motion_(prescribed_motion(settings.motion, fluid_.grid(), fluid_.span(), mode)) {
+        body_(body_of(fluid_, settings, flag, shape)) {
     result_.cells =
         static_cast<std::int64_t>(fluid_.extent().cells_of_plane()) * fluid_.span().planes();
     if (settings.output.field_interval > 0)
@@ -61,27 +73,33 @@ class FluidRun {
     if (restart) {
       read_checkpoint(*restart);
     } else {
-      state_ = fluid_.impulsive_start(motion_, 0);
-      dt_ = settings_.fluid.first_dt.value_or(settings_.dt);
+      body_->start();
+      const double share = settings_.motion.is_given ? 1 : share_of_first_step;
+      dt_ = settings_.fluid.first_dt.value_or(share * settings_.dt);
       if (settings_.output.field_interval > 0) keep_fields();
+      if (settings_.output.shape_interval > 0) body_->add_shape(history_);
     }
     constexpr std::int64_t ticks = 1'000'000;
     Progress progress("direct simulation", ticks, shows_progress);
-    while (state_.t < settings_.t_end - slack * dt_) {
+    while (state().t < settings_.t_end - slack * dt_) {
       if (ranks::any(is_interrupted())) {
         write_checkpoint();
-        write_history(history_, fluid_.span(), settings_.probes, folder_.path());
+        write_results();
         throw Interrupted("interrupted; go on with --restart " + checkpoint_.string());
       }
       advance_by(step_toward(settings_.t_end));
-      progress.advance_to(static_cast<std::int64_t>(ticks * state_.t / settings_.t_end));
+      progress.advance_to(static_cast<std::int64_t>(ticks * state().t / settings_.t_end));
     }
     write_checkpoint();
-    write_history(history_, fluid_.span(), settings_.probes, folder_.path());
+    write_results();
     result_.status = "done";
-    result_.t_end = state_.t;
+    result_.t_end = state().t;
     if (!history_.rows.empty()) result_.last = history_.rows.back();
     result_.checkpoint = checkpoint_.string();
+    if (!history_.flag.empty()) result_.last_of_flag = history_.flag.back();
+    result_.is_coupled = !settings_.motion.is_given;
+    if (result_.steps > 0)
+      result_.passes_mean = static_cast<double>(passes_) / static_cast<double>(result_.steps);
     if (result_.steps > 0)
       result_.pressure_iterations_mean =
           static_cast<double>(pressure_iterations_) / static_cast<double>(result_.steps);
@@ -93,20 +111,19 @@ class FluidRun {
   // the pressure answers a sudden change of the step.
   double step_toward(double target) const {
     constexpr double steps_that_share = 50;
-    const double left = target - state_.t, count = std::ceil(left / dt_ - slack);
+    const double left = target - state().t, count = std::ceil(left / dt_ - slack);
     const double share = left / std::max(count, 1.0);
     return count > steps_that_share || std::abs(share - dt_) < slack * dt_ ? dt_ : share;
   }
 
   void advance_by(double dt) {
-    const double before = state_.t;
+    const double before = state().t;
     const auto begin = Clock::now();
-    FluidStepSummary summary;
+    CoupledStepSummary summary;
     try {
-      summary = fluid_.advance(state_, motion_, dt);
+      summary = body_->advance(dt);
     } catch (const SolverError& fault) {
-      if (!history_.rows.empty())
-        write_history(history_, fluid_.span(), settings_.probes, folder_.path());
+      if (!history_.rows.empty()) write_results();
       throw SolverError(fmt::format("{}; {}", fault.what(),
                                     checkpoint_.empty()
                                         ? "no checkpoint was written before"
@@ -115,16 +132,19 @@ class FluidRun {
     result_.step_seconds += seconds_since(begin);
     ++result_.steps;
     ++step_;
-    pressure_iterations_ += summary.pressure_iterations;
+    passes_ += summary.passes;
+    result_.passes_max = std::max(result_.passes_max, summary.passes);
+    pressure_iterations_ += summary.fluid.pressure_iterations;
     result_.pressure_iterations_max =
-        std::max(result_.pressure_iterations_max, summary.pressure_iterations);
-    result_.least_area = std::min(result_.least_area, summary.least_area);
-    choose_step(dt, summary.CFL);
+        std::max(result_.pressure_iterations_max, summary.fluid.pressure_iterations);
+    result_.least_area = std::min(result_.least_area, summary.fluid.least_area);
+    choose_step(dt, summary.fluid.CFL);
     const OutputSettings& output = settings_.output;
-    if (output.history_interval == 0 || passes_multiple(output.history_interval, before, state_.t))
-      add_row(fluid_, state_, summary, settings_.probes, history_);
-    if (passes_multiple(output.field_interval, before, state_.t)) keep_fields();
-    if (passes_multiple(output.checkpoint_interval, before, state_.t)) write_checkpoint();
+    if (output.history_interval == 0 || passes_multiple(output.history_interval, before, state().t))
+      keep_row(summary);
+    if (passes_multiple(output.shape_interval, before, state().t)) body_->add_shape(history_);
+    if (passes_multiple(output.field_interval, before, state().t)) keep_fields();
+    if (passes_multiple(output.checkpoint_interval, before, state().t)) write_checkpoint();
   }
 
   // The next step, from the one taken and its Courant number.
@@ -135,10 +155,20 @@ class FluidRun {
     dt_ = std::min(most, most_growth * std::max(taken, dt_));
   }
 
+  FluidState& state() { return body_->fluid(); }
+  const FluidState& state() const { return body_->fluid(); }
+
+  void keep_row(const CoupledStepSummary& summary) {
+    add_row(fluid_, state(), summary.fluid, settings_.probes, history_);
+    body_->complete_row(summary, history_);
+  }
+
+  void write_results() const { write_history(history_, fluid_.span(), settings_, folder_.path()); }
+
   void keep_fields() {
     const auto name = [](std::size_t k) { return fmt::format("fields_{:05}.h5", k); };
-    write_fields(fluid_, state_, folder_ / name(field_times_.size()));
-    field_times_.push_back(state_.t);
+    write_fields(fluid_, state(), folder_ / name(field_times_.size()));
+    field_times_.push_back(state().t);
     if (!ranks::is_leading()) return;
     std::vector<xdmf::Grid> series;
     for (std::size_t k = 0; k < field_times_.size(); ++k)
@@ -148,12 +178,13 @@ class FluidRun {
 
   void write_checkpoint() {
     checkpoint_ = folder_ / "checkpoint.h5";
+    body_->forget();
     std::optional<hdf5::Writer> file;  // of the leading rank
     if (ranks::is_leading()) {
       file.emplace(checkpoint_);
       file->attributes({{"kind", "fluid_checkpoint"},
-                        {"t", state_.t},
-                        {"previous_dt", state_.previous_dt},
+                        {"t", state().t},
+                        {"previous_dt", state().previous_dt},
                         {"dt", dt_},
                         {"step", step_}});
       if (!field_times_.empty()) file->write("/field_times", {field_times_.size()}, field_times_);
@@ -172,11 +203,13 @@ class FluidRun {
                     values);
     });
     const std::vector<double> is_inflow =
-        ranks::gather(std::vector<double>(state_.is_inflow.begin(), state_.is_inflow.end()));
+        ranks::gather(std::vector<double>(state().is_inflow.begin(), state().is_inflow.end()));
     if (!file) return;
     file->write("/is_inflow", {is_inflow.size()}, is_inflow);
+    body_->write(*file);
     if (!history_.rows.empty())
       write_history(history_, fluid_.span().planes(), settings_.probes.y.size(), *file);
+    write_shapes(history_.shapes, *file);
     file->finish();
   }
 
@@ -184,16 +217,16 @@ class FluidRun {
   template <class Function>
   void for_each_field(const Function& function) {
     const int cells = fluid_.extent().n_rho, corners = cells + 1;
-    for (std::size_t c = 0; c < state_.u.size(); ++c) {
-      function(fmt::format("/u_{}", c), state_.u[c], cells);
-      function(fmt::format("/u_last_{}", c), state_.u_last[c], cells);
-      function(fmt::format("/u_change_{}", c), state_.u_change[c], cells);
+    for (std::size_t c = 0; c < state().u.size(); ++c) {
+      function(fmt::format("/u_{}", c), state().u[c], cells);
+      function(fmt::format("/u_last_{}", c), state().u_last[c], cells);
+      function(fmt::format("/u_change_{}", c), state().u_change[c], cells);
     }
-    function("/p", state_.p, cells);
-    function("/p_last", state_.p_last, cells);
+    function("/p", state().p, cells);
+    function("/p_last", state().p_last, cells);
     for (std::size_t k = 0; k < 2; ++k) {
-      function(fmt::format("/grid_{}_y", k), state_.grid[k].y, corners);
-      function(fmt::format("/grid_{}_z", k), state_.grid[k].z, corners);
+      function(fmt::format("/grid_{}_y", k), state().grid[k].y, corners);
+      function(fmt::format("/grid_{}_z", k), state().grid[k].z, corners);
     }
   }
 
@@ -202,10 +235,10 @@ class FluidRun {
     if (file.text("/", "kind") != "fluid_checkpoint")
       throw InputError(path.string(), "is not a checkpoint of the fluid");
     const Extent& extent = fluid_.extent();
-    state_.u.assign(static_cast<std::size_t>(fluid_.components()), Field<double>(extent));
-    state_.u_last = state_.u_change = state_.u;
-    state_.p = state_.p_last = Field<double>(extent);
-    state_.grid.assign(3, Displacement<double>(extent));
+    state().u.assign(static_cast<std::size_t>(fluid_.components()), Field<double>(extent));
+    state().u_last = state().u_change = state().u;
+    state().p = state().p_last = Field<double>(extent);
+    state().grid.assign(3, Displacement<double>(extent));
     const auto read = [&](const std::string& name, Field<double>& f, int rows) {
       const hdf5::Array array = file.read(name);
       const hdf5::Shape expected = {static_cast<hsize_t>(fluid_.span().planes()),
@@ -229,12 +262,13 @@ class FluidRun {
     const std::vector<double> is_inflow = file.read("/is_inflow").values;
     const std::ptrdiff_t first = fluid_.span().first_plane() * std::ptrdiff_t(extent.n_theta);
     for (std::ptrdiff_t k = 0; k < extent.planes * std::ptrdiff_t(extent.n_theta); ++k)
-      state_.is_inflow.push_back(is_inflow[static_cast<std::size_t>(first + k)] != 0);
-    state_.t = file.number("/", "t", 0);
-    state_.previous_dt = file.number("/", "previous_dt", 0);
+      state().is_inflow.push_back(is_inflow[static_cast<std::size_t>(first + k)] != 0);
+    state().t = file.number("/", "t", 0);
+    state().previous_dt = file.number("/", "previous_dt", 0);
     dt_ = file.number("/", "dt", settings_.dt);
     step_ = static_cast<std::int64_t>(file.number("/", "step", 0));
     if (file.contains("/field_times")) field_times_ = file.read("/field_times").values;
+    body_->read(file);
     if (file.contains("/history")) history_ = read_fluid_history(file);
     checkpoint_ = path;
   }
@@ -242,10 +276,9 @@ class FluidRun {
   const Settings& settings_;
   const OutputFolder& folder_;
   Fluid fluid_;
-  WallMotion motion_;
-  FluidState state_;
+  std::unique_ptr<FlowBody> body_;
   double dt_ = 0;
-  std::int64_t step_ = 0, pressure_iterations_ = 0;
+  std::int64_t step_ = 0, pressure_iterations_ = 0, passes_ = 0;
   std::vector<double> field_times_;
   FluidHistory history_;
   fs::path checkpoint_;
@@ -266,11 +299,11 @@ Fluid fluid_of(const Settings& settings, const FlagParameters& flag, const FlowP
 }
 
 FluidRunResult run_fluid(const Settings& settings, const FlagParameters& flag,
-                         const FlowParameters& flow, const ShapeFunction& mode,
+                         const FlowParameters& flow, const std::optional<ShapeFunction>& shape,
                          const std::optional<fs::path>& restart, const OutputFolder& folder,
                          bool shows_progress) {
   const auto begin = Clock::now();
-  FluidRun fluid_run(settings, flag, flow, mode, folder);
+  FluidRun fluid_run(settings, flag, flow, shape, folder);
   FluidRunResult result = fluid_run.advance(restart, shows_progress);
   result.wall_seconds = seconds_since(begin);
   return result;
@@ -292,6 +325,10 @@ nlohmann::ordered_json to_json(const FluidRunResult& result) {
       {"pressure_iterations",
        {{"mean", result.pressure_iterations_mean}, {"max", result.pressure_iterations_max}}},
       {"least_area", result.least_area}};
+  if (result.is_coupled)
+    json["coupling_iterations"] = {{"mean", result.passes_mean}, {"max", result.passes_max}};
+  for (std::size_t c = 0; c < coupled_columns && result.last_of_flag; ++c)
+    json["last"][columns_of_coupled_flag()[c].name] = (*result.last_of_flag)[c];
   for (std::size_t c = 0; c < fluid_columns; ++c)
     json["last"][columns_of_fluid_history()[c].name] = result.last[c];
   return json;

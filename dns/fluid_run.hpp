@@ -1,5 +1,5 @@
-/// The fluid about a flag that is held or moves as prescribed, run as a case asks: through time,
-/// with history, fields and checkpoints.
+/// The flow about a flag, run as a case asks: a flag that is held or moves as prescribed, or one
+/// that the flow moves; through time, with history, fields and checkpoints.
 #pragma once
 
 #include <filesystem>
@@ -26,15 +26,21 @@ struct FluidRunResult {
   double wall_seconds = 0;
   double step_seconds = 0;  ///< of the steps alone
   FluidRow last{};
+  bool is_coupled = false;  ///< whether the flow moves the flag
+  double passes_mean = 0;   ///< of the coupling
+  int passes_max = 0;
+  std::optional<CoupledRow> last_of_flag;  ///< where the flow moves it
   std::string checkpoint;
 };
 
-/// Computes and writes history.h5, history.csv, fields_*.h5 with fields.xdmf, and checkpoint.h5.
+/// Computes and writes history.h5, history.csv, shapes.h5, fields_*.h5 with fields.xdmf, and
+/// checkpoint.h5. `shape`: the mode of a prescribed motion, or the displacement with which a flag
+/// that the flow moves starts.
 /// With `restart`, goes on from that checkpoint to the case's t_end; the result is bit-identical to
 /// an uninterrupted run. Settings as check() accepts them. Throws SolverError (the last
 /// checkpoint's name in it), InputError (a checkpoint of another grid), FileError, Interrupted.
 FluidRunResult run_fluid(const Settings&, const FlagParameters&, const FlowParameters&,
-                         const ShapeFunction& mode,
+                         const std::optional<ShapeFunction>& shape,
                          const std::optional<std::filesystem::path>& restart, const OutputFolder&,
                          bool shows_progress);
 

@@ -55,7 +55,7 @@ void declare(Schema& schema, Settings& settings) {
             Range{1e-3, 1e3}})
       .key({"first_dt", &settings.fluid.first_dt,
             "the fluid's first step, from which the steps grow by a fifth to dt", positive, false,
-            "dt"})
+            "dt; with a flag that the flow moves dt/20"})
       .key({"t_end", &settings.t_end, "end of the run, in L/V", positive})
       .key({"n_x", &settings.n_x,
             "spanwise nodes, and Fourier points of the fluid; not used in two dimensions",
@@ -105,6 +105,13 @@ void declare(Schema& schema, Settings& settings) {
       .key({"n", &motion.n, "waves along the span of the mode, of the family of [modes.normal]",
             Range{0, 200}})
       .key({"m", &motion.m, "rank along the chord of the mode", Range{1, 200}});
+  schema.table("dns.coupling", "How a flag that the flow moves and the fluid are made to agree.")
+      .key({"tolerance", &settings.coupling.tolerance,
+            "pressure jump that the passes of a step leave, root mean square over the flag, in "
+            "rho_f "
+            "V^2; relative where the jump is larger than 1",
+            Range{1e-12, 1e-1}})
+      .key({"most_passes", &settings.coupling.most_passes, "of a step", Range{1, 1000}});
   schema
       .table("dns.probes",
              "Places (y, z) where the fluid's velocity and pressure are kept with the history, in "
@@ -145,7 +152,20 @@ void declare(Schema& schema, Settings& settings) {
             Range{-std::numbers::pi, std::numbers::pi}})
       .key({"plate_mode", &settings.initial.plate_mode,
             "amplitude of sin(pi x/gamma) sin(pi y), the first mode of a plate supported along all "
-            "edges, in L"});
+            "edges, in L"})
+      .key({"mode_amplitude", &settings.initial.mode_amplitude,
+            "largest displacement of a normal mode of the family of [modes.normal], in L"})
+      .key({"n", &settings.initial.n, "waves along the span of that mode", Range{0, 200}})
+      .key({"m", &settings.initial.m, "rank along the chord of that mode", Range{1, 200}})
+      .key({"release", &settings.initial.release,
+            "time until which a flag in the flow is held where it starts, while the flow develops; "
+            "in L/V",
+            not_negative})
+      .key({"kick", &settings.initial.kick,
+            "momentum per area along z given to a flag in the flow after its release, at the "
+            "trailing edge, less in proportion to y; in rho_f V L",
+            any_sign})
+      .key({"kick_duration", &settings.initial.kick_duration, "of the kick, in L/V", positive});
   schema.table("dns.output", "What is kept, and how often.")
       .key({"history_interval", &settings.output.history_interval,
             "between rows of the history, in L/V; 0: every step", not_negative})

@@ -1,5 +1,6 @@
 /// What a case asks of the direct simulation: the tables [dns], [dns.flag], [dns.loads],
-/// [dns.initial], [dns.fluid], [dns.motion], [dns.probes], [dns.output] and [dns.convergence].
+/// [dns.initial], [dns.fluid], [dns.motion], [dns.coupling], [dns.probes], [dns.output] and
+/// [dns.convergence].
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 
 #include "common/case_reader.hpp"
 #include "common/parameters.hpp"
+#include "dns/coupling_settings.hpp"
 #include "dns/flag_mesh.hpp"
 #include "dns/flag_stepper.hpp"
 #include "dns/fluid_parameters.hpp"
@@ -42,9 +44,14 @@ struct LoadSettings {
 };
 
 struct InitialSettings {
-  std::vector<double> A, B;  ///< of (5.1)
-  double angle = 0;          ///< of the straight flag about its leading edge, radians
-  double plate_mode = 0;     ///< amplitude of sin(pi x/gamma) sin(pi y)
+  std::vector<double> A, B;    ///< of (5.1)
+  double angle = 0;            ///< of the straight flag about its leading edge, radians
+  double plate_mode = 0;       ///< amplitude of sin(pi x/gamma) sin(pi y)
+  double mode_amplitude = 0;   ///< of a normal mode, at its largest
+  std::int64_t n = 0, m = 1;   ///< of that mode: waves along the span, rank along the chord
+  double release = 0;          ///< time until which a flag in the flow is held
+  double kick = 0;             ///< momentum per area given to its trailing edge, rho_f V L
+  double kick_duration = 0.1;  ///< in L/V
 };
 
 struct ConvergenceSettings {
@@ -108,6 +115,7 @@ struct Settings {
   FluidSettings fluid;
   MotionSettings motion;
   ProbeSettings probes;
+  CouplingSettings coupling;
   FlagSettings flag;
   LoadSettings loads;
   InitialSettings initial;

@@ -1,0 +1,19 @@
+/// Where a flag starts.
+#pragma once
+
+#include <optional>
+
+#include "dns/flag_mesh.hpp"
+#include "dns/flag_step.hpp"
+#include "dns/settings.hpp"
+#include "dns/shape_function.hpp"
+
+namespace pennon::dns {
+
+/// The mode of a plate, or z = zeta(x, y) with every chordwise segment at its length, or straight
+/// at an angle; in L. Throws InputError where zeta is steeper than the flag is long.
+template <int dim>
+NodeVectors<dim> initial_shape(const InitialSettings&, const std::optional<ShapeFunction>& zeta,
+                               const FlagMesh&);
+
+}  // namespace pennon::dns
