@@ -8,6 +8,33 @@
 #include "common/errors.hpp"
 
 namespace pennon::dns {
+namespace {
+
+// Moves the nodes of a chordwise rank along x until the segments between them, and across the seam,
+// are of one length.
+void share_strain(const FlagMesh& mesh, int j, NodeVectors<3>& x) {
+  const int stations = mesh.stations();
+  Eigen::ArrayXd rise_squared(stations);
+  for (int m = 0; m < stations; ++m) {
+    const Eigen::Vector3d rise = x.col(mesh.index((m + 1) % stations, j)) - x.col(mesh.index(m, j));
+    rise_squared[m] = rise.tail<2>().squaredNorm();
+  }
+  // The length l for which the runs (l^2 - rise^2)^1/2 add up to the span: Newton's method from
+  // above, where their sum is concave, so that it comes down to it.
+  double length = mesh.dx() + std::sqrt(rise_squared.maxCoeff());
+  constexpr int most_iterations = 100;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const Eigen::ArrayXd runs = (length * length - rise_squared).sqrt();
+    const double change = (runs.sum() - mesh.span()) / (length / runs).sum();
+    length -= change;
+    if (std::abs(change) < 1e-15 * length) break;
+  }
+  const Eigen::ArrayXd runs = (length * length - rise_squared).sqrt();
+  for (int m = 1; m < stations; ++m)
+    x(0, mesh.index(m, j)) = x(0, mesh.index(m - 1, j)) + runs[m - 1];
+}
+
+}  // namespace
 
 template <int dim>
 NodeVectors<dim> initial_shape(const InitialSettings& initial,
@@ -43,6 +70,9 @@ NodeVectors<dim> initial_shape(const InitialSettings& initial,
                         mesh.y(j - 1), mesh.y(j)));
       node[dim - 2] = before[dim - 2] + std::sqrt(run);
     }
+  if constexpr (dim == 3)
+    if (mesh.is_periodic())
+      for (int j = 1; j < mesh.chord_nodes(); ++j) share_strain(mesh, j, x);
   return x;
 }
 
