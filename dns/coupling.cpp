@@ -240,13 +240,15 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   // An error of the positions is one of the jump, mass_factor (mu + added mass) times as large.
   constexpr double rounding = 1e-14;
   newton_.set_tolerance(std::max(0.05 * settings_.tolerance / equation_.mass_factor, rounding));
+  const double pressure_tolerance =
+      std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
   SegmentValues g = guessed_jump(state, D);
   x_ = state.flag.x + dt * state.flag.v;
   acceleration_.restart();
   for (summary.passes = 1;; ++summary.passes) {
     solve_flag(state, fixed, g, summary);
     move_wall(v_);
-    fluid_.solve_pressure(state.fluid, fluid_.tolerances().pressure);
+    fluid_.solve_pressure(state.fluid, pressure_tolerance);
     SegmentValues change;
     added_mass_.find_jump(a_, change);
     change += jump(state.fluid) - g;
