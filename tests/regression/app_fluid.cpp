@@ -134,12 +134,6 @@ TEST_F(DnsFluid, ReportsAllFaultsOfACase) {
     EXPECT_THAT(outcome.err, HasSubstr(fault));
 }
 
-TEST_F(DnsFluid, SaysThatAFlagMovedByTheFlowIsToCome) {
-  const Outcome outcome = pennon({"dns", (test::table_1_cases / "C2D.toml").string()});
-  EXPECT_EQ(outcome.status, bad_input);
-  EXPECT_THAT(outcome.err, HasSubstr("[dns.motion]"));
-}
-
 TEST_F(DnsFluid, RefusesTheCheckpointOfAnotherGrid) {
   const std::string file = wave_in_three_dimensions();
   ASSERT_EQ(
