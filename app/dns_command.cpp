@@ -57,8 +57,9 @@ dns::ShapeFunction mode_of(const Case& the_case) {
 std::string text_of(const dns::FluidRunResult& result) {
   const auto last = [&](const char* name) {
     const auto& columns = dns::columns_of_fluid_history();
-    const auto* found = std::ranges::find_if(
-        columns, [&](const dns::FluidColumn& column) { return column.name == std::string(name); });
+    const auto* found = std::ranges::find_if(columns, [&](const dns::HistoryColumn& column) {
+      return column.name == std::string(name);
+    });
     return result.last[static_cast<std::size_t>(found - columns.begin())];
   };
   return fmt::format(

@@ -26,22 +26,10 @@ void append(const std::vector<double>& values, std::vector<double>& all) {
   all.insert(all.end(), values.begin(), values.end());
 }
 
-hdf5::Attributes column_names() {
-  hdf5::Attributes attributes;
-  std::string names;
-  for (const FluidColumn& column : columns_of_fluid_history()) {
-    if (!names.empty()) names += ',';
-    names += column.name;
-    attributes[column.name] = std::string(column.meaning);
-  }
-  attributes["columns"] = names;
-  return attributes;
-}
-
 }  // namespace
 
-const std::array<FluidColumn, fluid_columns>& columns_of_fluid_history() {
-  static const std::array<FluidColumn, fluid_columns> columns = {{
+const std::array<HistoryColumn, fluid_columns>& columns_of_fluid_history() {
+  static const std::array<HistoryColumn, fluid_columns> columns = {{
       {"t", "time, in L/V"},
       {"dt", "the step that led here, in L/V"},
       {"z_trailing_edge", "z of the trailing edge in the first plane, in L"},
@@ -133,7 +121,7 @@ void write_history(const FluidHistory& history, int planes, std::size_t probes,
   std::vector<double> values;
   for (const FluidRow& row : history.rows) values.insert(values.end(), row.begin(), row.end());
   const hsize_t rows = history.rows.size();
-  file.write("/history", {rows, fluid_columns}, values, column_names());
+  file.write("/history", {rows, fluid_columns}, values, attributes_of(columns_of_fluid_history()));
   file.write("/stations", {rows, static_cast<hsize_t>(planes), values_of_station}, history.stations,
              {{"meaning", "drag, lift and side force of each plane, in rho_f V^2 L per span"}});
   if (probes == 0) return;
@@ -144,8 +132,7 @@ void write_history(const FluidHistory& history, int planes, std::size_t probes,
 void write_history(const FluidHistory& history, const Span& span, const ProbeSettings& probes,
                    const std::filesystem::path& folder) {
   if (!ranks::is_leading()) return;
-  std::vector<std::string> names;
-  for (const FluidColumn& column : columns_of_fluid_history()) names.emplace_back(column.name);
+  std::vector<std::string> names = names_of(columns_of_fluid_history());
   const std::size_t count = probes.y.size();
   for (std::size_t k = 0; k < count; ++k)
     for (const char* value : {"v", "w", "u", "p"}) names.push_back(fmt::format("{}_{}", value, k));

@@ -8,17 +8,13 @@
 #include "common/hdf5.hpp"
 #include "dns/fluid.hpp"
 #include "dns/fluid_forces.hpp"
+#include "dns/history_columns.hpp"
 #include "dns/settings.hpp"
 
 namespace pennon::dns {
 
-struct FluidColumn {
-  const char* name;
-  const char* meaning;
-};
-
 inline constexpr std::size_t fluid_columns = 20;
-const std::array<FluidColumn, fluid_columns>& columns_of_fluid_history();
+const std::array<HistoryColumn, fluid_columns>& columns_of_fluid_history();
 using FluidRow = std::array<double, fluid_columns>;
 
 struct FluidHistory {
