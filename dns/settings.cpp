@@ -269,6 +269,21 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
   }
   if (settings.initial.angle != 0 && (!settings.initial.A.empty() || !settings.initial.B.empty()))
     about("initial.angle", "contradicts dns.initial.A or B: the flag starts straight or as (5.1)");
+  const bool starts_bent = !settings.initial.A.empty() || !settings.initial.B.empty();
+  if (settings.initial.angle != 0 || starts_bent) {
+    const char* key = !starts_bent                 ? "initial.angle"
+                      : settings.initial.A.empty() ? "initial.B"
+                                                   : "initial.A";
+    const auto is_held = [](Edge edge) { return edge == Edge::pinned || edge == Edge::clamped; };
+    if (is_held(settings.flag.trailing_edge))
+      about(key,
+            "moves the trailing edge, which dns.flag.trailing_edge holds where it rests: "
+            "let that edge be free");
+    if (is_held(settings.flag.side_edges))
+      about(key,
+            "moves the side edges, which dns.flag.side_edges holds where they rest: let them "
+            "be free or periodic");
+  }
   if (settings.initial.plate_mode != 0) {
     if (!settings.initial.A.empty() || !settings.initial.B.empty() || settings.initial.angle != 0)
       about("initial.plate_mode",
