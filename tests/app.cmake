@@ -1,4 +1,4 @@
-pennon_test(test_app LABEL regression SOURCES regression/app_commands.cpp regression/app_fluid.cpp
+pennon_test(test_app LABEL regression SOURCES regression/app_commands.cpp regression/app_fluid.cpp regression/app_coupled.cpp
             LINK pennon::common Boost::headers GTest::gmock)
 target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
                            PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
