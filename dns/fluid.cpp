@@ -87,6 +87,7 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
   const std::size_t wall =
       static_cast<std::size_t>(extent_.planes) * static_cast<std::size_t>(extent_.n_theta);
   wall_ = {std::vector<double>(wall), std::vector<double>(wall)};
+  outer_pressure_.resize(wall);
   wall_velocity_.assign(static_cast<std::size_t>(components_), std::vector<double>(wall));
   guess_.assign(static_cast<std::size_t>(components_), Field<double>(extent_));
   change_ = guess_;
@@ -212,6 +213,7 @@ void Fluid::predict(FluidState& state) {
     combine(step_.D.guess_last, state.u[c], step_.D.guess_before, state.u_last[c], guess_[c]);
   find_convection();
   lines_.prepare(metrics_, C_s_, C_t_, step_.D.next, 1 / parameters_.Re);
+  find_outer_pressure(state.u);
   extend_pressure(state.p);
   if (has_span) span_.differentiate(state.p, change_xi_[0]);
   for (int plane = 0; plane < extent_.planes; ++plane)
@@ -330,13 +332,15 @@ void Fluid::pose_projection(FluidState& state) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const bool has_span = span_.has_span();
   const double dt = 1 / step_.D.next;
+  if (step_.is_start)
+    std::ranges::fill(outer_pressure_, 0.0);
+  else
+    find_outer_pressure(guess_);
   for (std::size_t c = 0; c < guess_.size(); ++c) {
     if (!step_.is_start && c < gradient_.size()) combine(1, guess_[c], dt, gradient_[c], guess_[c]);
     for (int plane = 0; plane < extent_.planes; ++plane) guess_[c].wrap_theta(plane, 0, n_rho);
   }
   const Field<double>* u_x = has_span ? &guess_[along_x] : nullptr;
-  Field<double>& divergence = change_[0];  // of the fluxes, integrated over the cells
-  std::ranges::fill(divergence.values(), 0.0);
   for (int plane = 0; plane < extent_.planes; ++plane) {
     velocity_flux(metrics_, plane, u_x, guess_[along_y], guess_[along_z], flux_rho_, flux_theta_);
     const FaceMetrics<double>& faces = metrics_.rho_faces;
@@ -350,15 +354,19 @@ void Fluid::pose_projection(FluidState& state) {
       flux_rho_.row(plane, 0)[i] = 0;
       flux_rho_.row(plane, n_rho)[i] = outer;
     }
-    add_balance(plane, flux_rho_, flux_theta_, divergence);
   }
-  pack(divergence, right_.data());
   if (has_span)
     for_each_row(extent_, [&](int plane, int j) {
       const double *u = u_x->row(plane, j), *volume = metrics_.volume.row(plane, j);
       double* flux = x_flux_[0].row(plane, j);
       for (int i = 0; i < n_theta; ++i) flux[i] = volume[i] * u[i];
     });
+  subtract_outer_gradient(dt, change_[1]);
+  Field<double>& divergence = change_[0];  // of the fluxes, integrated over the cells
+  std::ranges::fill(divergence.values(), 0.0);
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    add_balance(plane, flux_rho_, flux_theta_, divergence);
+  pack(divergence, right_.data());
   add_x_flux(1, x_flux_[0], right_.data());
   for (std::size_t cell = 0; cell < extent_.cells(); ++cell) right_[cell] /= dt;
   if (step_.is_start) {
@@ -425,11 +433,11 @@ FluidStepSummary Fluid::finish_step(FluidState& state) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const bool has_span = span_.has_span();
   const double dt = 1 / step_.D.next;
-  extend_pressure(state.p);
+  extend_pressure(state.p, 0);  // the outer pressure's part was posed
   Field<double>&p_xi = change_xi_[0], &across_rho = change_[0], &across_theta = change_[1];
   if (has_span) span_.differentiate(state.p, p_xi);
+  const Field<double>* slope = has_span ? &p_xi : nullptr;
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    const Field<double>* slope = has_span ? &p_xi : nullptr;
     gradient_flux(metrics_, plane, state.p, slope, across_rho, across_theta);
     for (int j = 0; j <= n_rho; ++j) {
       double *rho = flux_rho_.row(plane, j), *theta = flux_theta_.row(plane, j);
@@ -439,11 +447,13 @@ FluidStepSummary Fluid::finish_step(FluidState& state) {
       if (j < n_rho)
         for (int i = 0; i <= n_theta; ++i) theta[i] -= dt * p_theta[i];
     }
-    gradient(metrics_, plane, state.p, slope,
-             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
     const double* outer = flux_rho_.row(plane, n_rho);
     for (int i = 0; i < n_theta; ++i) state.is_inflow[extent_.wall_face(plane, i)] = outer[i] < 0;
   }
+  extend_pressure(state.p);
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    gradient(metrics_, plane, state.p, slope,
+             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   for (std::size_t c = 0; c < guess_.size(); ++c) {
     std::swap(state.u_last[c], state.u[c]);
     if (c < gradient_.size())

@@ -125,9 +125,12 @@ class Fluid {
 
   double stream(int component) const;
   /// Fills the ghosts of a velocity component for convection, or (is_viscous) for the gradient's
-  /// flux: at the flag its velocity, outside the stream.
+  /// flux: at the flag its velocity, outside as dns/ghosts.hpp has it. For convection it is one of
+  /// the step's own fields.
   void extend_velocity(const FluidState&, int component, Field<double>& f, bool is_viscous) const;
   void extend_pressure(Field<double>& p) const;
+  /// At the outer faces, n_theta numbers for each plane, at the end of the last step.
+  const std::vector<double>& outer_pressure() const { return outer_pressure_; }
 
  private:
   struct Components {  // of FluidState::u, first to end - 1
@@ -157,7 +160,13 @@ class Fluid {
   void pressure_operator(const double* in, double* out);
   void invert_flat_pressure(const double* in, double* out);
   void velocity_operator(const Components&, const double* in, double* out);
-  void extend_change_outward(int plane, bool is_viscous, Field<double>&) const;
+  void extend_change_outward(int plane, int component, bool is_viscous);
+  void extend_inflow(int plane, const std::vector<bool>& is_inflow,
+                     const std::vector<Field<double>>& u, bool with_stream, int component,
+                     Field<double>& f) const;
+  void find_outer_pressure(const std::vector<Field<double>>& u);
+  void subtract_outer_gradient(double dt, Field<double>& scratch);
+  void extend_pressure(Field<double>& p, double share) const;
   void update_all_metrics(const Displacement<double>&);
   [[noreturn]] void fail(double t, const std::string& what) const;
 
@@ -177,6 +186,7 @@ class Fluid {
   Step step_;
   bool change_varies_ = false;  // whether the velocity's operator has terms along the span
   std::vector<bool> is_inflow_;
+  std::vector<double> outer_pressure_;
   WallShape wall_;
   std::vector<std::vector<double>> wall_velocity_;
   std::vector<double> no_velocity_;
