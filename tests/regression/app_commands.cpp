@@ -323,17 +323,11 @@ TEST_F(Dns, KeepsShapesThatParaViewOpens) {
   }
 }
 
-TEST_F(Dns, SaysThatTheFluidIsToCome) {
-  const Outcome outcome = pennon({"dns", case_of("C2D")});
-  EXPECT_EQ(outcome.status, bad_input);
-  EXPECT_THAT(outcome.err, HasSubstr("leave [flow] out"));
-}
-
 TEST_F(Pennon, ChecksEveryCaseInTheProject) {
   for (const auto& entry : fs::recursive_directory_iterator(source / "data/cases")) {
     if (entry.path().extension() != ".toml") continue;
     const std::string folder = entry.path().parent_path().filename().string();
-    const bool is_simulated = folder == "flag" || folder == "fluid";
+    const bool is_simulated = folder == "flag" || folder == "fluid" || folder == "coupled";
     const std::string command = folder == "modes" ? "modes" : is_simulated ? "dns" : "lsa";
     const Outcome outcome = pennon({command, entry.path().string(), "--check"});
     EXPECT_EQ(outcome.status, done) << entry.path() << outcome.err;
