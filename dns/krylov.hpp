@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace pennon::dns {
 
@@ -12,6 +13,21 @@ struct KrylovSummary {
   bool converged = false;
   int iterations = 0;
   double residual = 0;  ///< root mean square of M^-1 (b - A x)
+};
+
+/// Memory for the vectors of solvers that never run at the same time, taken when it is first
+/// written to.
+class KrylovSpace {
+ public:
+  /// For vectors of up to `longest` numbers.
+  explicit KrylovSpace(std::size_t longest) : longest_(longest) {}
+
+  /// The k-th of a solver's vectors of `length` numbers.
+  double* vector(std::size_t k, std::size_t length);
+
+ private:
+  std::size_t longest_;
+  std::vector<std::unique_ptr<double[]>> blocks_;
 };
 
 class Krylov {
@@ -26,14 +42,17 @@ class Krylov {
   };
 
   /// `unknowns` of this rank. The method is GMRES unless PETSc's options say otherwise.
-  Krylov(std::size_t unknowns, const Settings&, Operator A, Operator inverse_M);
+  /// GMRES keeps its vectors in `space` where there is one; solvers that share it must not be
+  /// called from one another.
+  Krylov(std::size_t unknowns, const Settings&, Operator A, Operator inverse_M,
+         std::shared_ptr<KrylovSpace> space = nullptr);
   ~Krylov();
   Krylov(const Krylov&) = delete;
   Krylov& operator=(const Krylov&) = delete;
 
   /// From the guess in x, until the root mean square of M^-1 (b - A x), an estimate of x's error,
-  /// is below `tolerance`, or below `relative` times that of x = 0. Throws what the operators throw,
-  /// and SolverError where PETSc fails; not to converge is no failure here.
+  /// is below `tolerance`, or below `relative` times that of x = 0. Throws what the operators
+  /// throw, and SolverError where PETSc fails; not to converge is no failure here.
   KrylovSummary solve(const double* b, double* x, double tolerance,
                       double relative = least_relative);
   /// There is nothing to gain below rounding.
