@@ -69,7 +69,7 @@ void Fluid::subtract_outer_gradient(double dt, Field<double>& scratch) {
     if (!span_.has_span()) continue;
     const double *s_x = metrics_.s_x.row(plane, n_rho - 1),
                  *volume = metrics_.volume.row(plane, n_rho - 1), *p = scratch.row(plane, n_rho);
-    double* flux = x_flux_[0].row(plane, n_rho - 1);
+    double* flux = change_xi_[0].row(plane, n_rho - 1);
     for (int i = 0; i < n_theta; ++i) flux[i] -= dt * volume[i] * s_x[i] * 0.5 * p[i];
   }
 }
@@ -92,19 +92,19 @@ void Fluid::extend_pressure(Field<double>& p, double share) const {
 }
 
 // The integral of lap f over the cells of a plane, without what only its neighbours give: into
-// balance_, and into x_flux the flux along x. f and f_xi with their ghosts.
-void Fluid::balance_plane(int plane, const Field<double>& f, const Field<double>* f_xi,
-                          bool with_wall_flux, Field<double>& x_flux) {
+// balance_; and the flux along x over its derivative f_xi. f and f_xi with their ghosts.
+void Fluid::balance_plane(int plane, const Field<double>& f, Field<double>* f_xi,
+                          bool with_wall_flux) {
   gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance_);
   if (!f_xi) return;
   for (int j = 0; j < extent_.n_rho; ++j) {
     const double *below = f.row(plane, j - 1), *here = f.row(plane, j),
                  *above = f.row(plane, j + 1);
     const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
-    const double *xi = f_xi->row(plane, j), *volume = metrics_.volume.row(plane, j);
-    double* flux = x_flux.row(plane, j);
+    const double* volume = metrics_.volume.row(plane, j);
+    double* flux = f_xi->row(plane, j);
     for (int i = 0; i < extent_.n_theta; ++i)
-      flux[i] = volume[i] * (xi[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
+      flux[i] = volume[i] * (flux[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
                              t_x[i] * 0.5 * (here[i + 1] - here[i - 1]));
   }
 }
@@ -114,7 +114,7 @@ void Fluid::carry_plane(int plane, const Field<double>& f, const Field<double>* 
   convection(plane, C_s_, C_t_, f, upwinding_, carried_);
   if (!f_xi) return;
   for (int j = 0; j < extent_.n_rho; ++j) {
-    const double *u = C_x_.row(plane, j), *xi = f_xi->row(plane, j);
+    const double *u = guess_[2].row(plane, j), *xi = f_xi->row(plane, j);
     double* sum = carried_.row(0, j);
     for (int i = 0; i < extent_.n_theta; ++i) sum[i] += u[i] * xi[i];
   }
@@ -137,11 +137,11 @@ void Fluid::pressure_operator(const double* in, double* out) {
   if (span_.has_span()) span_.differentiate(f, f_xi);
   double* to = out;
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    balance_plane(plane, f, span_.has_span() ? &f_xi : nullptr, false, x_flux_[0]);
+    balance_plane(plane, f, span_.has_span() ? &f_xi : nullptr, false);
     for (int j = 0; j < extent_.n_rho; ++j)
       to = std::copy_n(balance_.row(0, j), extent_.n_theta, to);
   }
-  add_x_flux(1, x_flux_[0], out);
+  add_x_flux(1, f_xi, out);
 }
 
 void Fluid::invert_flat_pressure(const double* in, double* out) {
@@ -165,21 +165,28 @@ void Fluid::velocity_operator(const Components& components, const double* in, do
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const std::size_t cells = extent_.cells();
   const auto [first, end] = components;
+  const auto slope = [&](std::size_t c) {
+    return change_varies_ ? &change_xi_[c - first] : nullptr;
+  };
   for (std::size_t c = first; c < end; ++c) {
-    Field<double>& f = change_[c];
+    Field<double>& f = change_[c - first];
     unpack(in + (c - first) * cells, f);
     for (int plane = 0; plane < extent_.planes; ++plane) {
       extend_to_wall(plane, no_velocity_.data(), f);
       f.wrap_theta(plane, -2, n_rho);
-      extend_change_outward(plane, static_cast<int>(c), true);
     }
-    if (change_varies_) span_.differentiate(f, change_xi_[c]);
+  }
+  for (std::size_t c = first; c < end; ++c) {  // where fluid enters the components are coupled
+    Field<double>& f = change_[c - first];
+    for (int plane = 0; plane < extent_.planes; ++plane) extend_change_outward(plane, c, false, f);
+    if (change_varies_) span_.differentiate(f, change_xi_[c - first]);
   }
   for (int plane = 0; plane < extent_.planes; ++plane)
     for (std::size_t c = first; c < end; ++c) {
-      balance_plane(plane, change_[c], change_varies_ ? &change_xi_[c] : nullptr, true, x_flux_[c]);
-      extend_change_outward(plane, static_cast<int>(c), false);
-      carry_plane(plane, change_[c], change_varies_ ? &change_xi_[c] : nullptr);
+      Field<double>& f = change_[c - first];
+      carry_plane(plane, f, slope(c));
+      extend_change_outward(plane, c, true, f);
+      balance_plane(plane, f, slope(c), true);
       const std::size_t offset =
           (c - first) * cells + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
       const double* u = in + offset;
@@ -193,13 +200,14 @@ void Fluid::velocity_operator(const Components& components, const double* in, do
     }
   if (!change_varies_) return;
   for (std::size_t c = first; c < end; ++c)
-    add_x_flux(-1 / parameters_.Re, x_flux_[c], out + (c - first) * cells);
+    add_x_flux(-1 / parameters_.Re, change_xi_[c - first], out + (c - first) * cells);
 }
 
-void Fluid::extend_change_outward(int plane, int component, bool is_viscous) {
-  Field<double>& f = change_[static_cast<std::size_t>(component)];
+// u along the span needs no other component there.
+void Fluid::extend_change_outward(int plane, std::size_t component, bool is_viscous,
+                                  Field<double>& f) const {
   extend_outward(plane, is_viscous, f);
-  if (!is_viscous) extend_inflow(plane, is_inflow_, change_, false, component, f);
+  if (!is_viscous) extend_inflow(plane, is_inflow_, change_, false, static_cast<int>(component), f);
   f.wrap_theta(plane, extent_.n_rho, extent_.n_rho + 2);
 }
 
