@@ -71,11 +71,15 @@ AddedMass<dim>::AddedMass(const OGrid& grid, const FlagMesh& mesh, double mu)
       segments_(mesh.chord_nodes() - 1),
       share_(mesh.is_two_d() ? 1.0 : mesh.dx()),
       to_waves_(real_fourier(stations_, waves_)),
+      inverse_mass_(mesh.nodes()),
       krylov_(
-          static_cast<std::size_t>(stations_) * static_cast<std::size_t>(segments_),
+          static_cast<std::size_t>(dim) * static_cast<std::size_t>(mesh.nodes()),
           {.name = "added_mass", .most_iterations = 100, .restart = 50, .is_of_one_rank = true},
           [this](const double* in, double* out) { multiply(in, out); },
           [this](const double* in, double* out) { precondition(in, out); }) {
+  for (int m = 0; m < stations_; ++m)
+    for (int j = 0; j <= segments_; ++j)
+      inverse_mass_[mesh.index(m, j)] = j == 0 ? 0.0 : 1 / (mu * mesh.area(m, j));
   const Eigen::MatrixXd compliance = flat_compliance(mesh, mu);
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(segments_, segments_);
   for (int waves = 0; 2 * waves <= stations_; ++waves) {
@@ -137,48 +141,46 @@ void AddedMass<dim>::subtract_force(const NodeVectors<dim>& acceleration,
   add_force(jump, forces);
 }
 
-// With s = Pi E x, x = K^-1 (r - mass_factor E^T s), so (1 + mass_factor Pi E K^-1 E^T) s =
-// Pi E K^-1 r.
 template <int dim>
-void AddedMass<dim>::solve(TangentMatrix<dim>& K, double mass_factor, NodeVectors<dim>& r) {
+int AddedMass<dim>::solve(TangentMatrix<dim>& K, double mass_factor, NodeVectors<dim>& r) {
   tangent_ = &K;
   mass_factor_ = mass_factor;
-  K.solve(r);
-  SegmentValues right, s = SegmentValues::Zero(stations_, segments_);
-  find_jump(r, right);
-  krylov_.solve(right.data(), s.data(), 0, solution_error);
-  vectors_.setZero(dim, r.cols());
-  s *= mass_factor_;
-  add_force(s, vectors_);
-  K.clear_held(vectors_);
-  K.solve(vectors_);
-  r -= vectors_;
+  NodeVectors<dim> x = NodeVectors<dim>::Zero(dim, r.cols());
+  const KrylovSummary solved = krylov_.solve(r.data(), x.data(), 0, solution_error);
+  r = x;
+  return solved.iterations;
 }
 
 template <int dim>
 void AddedMass<dim>::multiply(const double* in, double* out) {
-  const Eigen::Map<const SegmentValues> s(in, stations_, segments_);
-  Eigen::Map<SegmentValues> result(out, stations_, segments_);
-  vectors_.setZero(dim, static_cast<Eigen::Index>(stations_) * (segments_ + 1));
-  SegmentValues jump = s;
-  add_force(jump, vectors_);
-  tangent_->clear_held(vectors_);
-  tangent_->solve(vectors_);
-  find_jump(vectors_, jump);
-  result = s + mass_factor_ * jump;
+  const Eigen::Index nodes = Eigen::Index{stations_} * (segments_ + 1);
+  const Eigen::Map<const NodeVectors<dim>> x(in, dim, nodes);
+  vectors_ = -mass_factor_ * x;
+  NodeVectors<dim> result = x;
+  tangent_->multiply(result);
+  subtract_force(vectors_, result);
+  tangent_->clear_held(result);
+  Eigen::Map<NodeVectors<dim>>(out, dim, nodes) = result;
 }
 
 template <int dim>
-void AddedMass<dim>::precondition(const double* in, double* out) const {
-  const Eigen::Map<const SegmentValues> r(in, stations_, segments_);
-  Eigen::Map<SegmentValues> result(out, stations_, segments_);
-  coefficients_.noalias() = to_waves_ * r;
+void AddedMass<dim>::precondition(const double* in, double* out) {
+  const Eigen::Index nodes = Eigen::Index{stations_} * (segments_ + 1);
+  NodeVectors<dim> r = Eigen::Map<const NodeVectors<dim>>(in, dim, nodes);
+  vectors_ = r * inverse_mass_.asDiagonal();
+  SegmentValues jump;
+  find_jump(vectors_, jump);
+  coefficients_.noalias() = to_waves_ * jump;
   jump_.resize(stations_, segments_);
   for (int k = 0; k < stations_; ++k)
     jump_.row(k).noalias() =
         coefficients_.row(k) *
         preconditioner_[static_cast<std::size_t>(waves_[static_cast<std::size_t>(k)])];
-  result.noalias() = to_waves_.transpose() * jump_;
+  jump.noalias() = -to_waves_.transpose() * jump_;
+  add_force(jump, r);
+  tangent_->clear_held(r);
+  tangent_->solve_roughly(r);
+  Eigen::Map<NodeVectors<dim>>(out, dim, nodes) = r;
 }
 
 template class AddedMass<2>;

@@ -53,9 +53,13 @@ class AddedMass {
   /// Subtracts M_a a.
   void subtract_force(const NodeVectors<dim>& acceleration, NodeVectors<dim>& forces) const;
 
-  /// Solves (K + mass_factor M_a) x = r in place, K factored: by Woodbury's formula, with GMRES for
-  /// the jump, to `solution_error`.
-  void solve(TangentMatrix<dim>& K, double mass_factor, NodeVectors<dim>& r);
+  /// Solves (K + mass_factor M_a) x = r in place, by GMRES to `solution_error`. Its preconditioner
+  /// is K's factors, of this or an earlier K, and the added mass of a flat flag without stiffness:
+  ///
+  ///   K^-1 (1 + M_a M^-1)^-1 = K^-1 (1 - E^T (1 + Pi E M^-1 E^T)^-1 Pi E M^-1).
+  ///
+  /// Returns the iterations.
+  int solve(TangentMatrix<dim>& K, double mass_factor, NodeVectors<dim>& r);
 
   static constexpr double solution_error = 1e-4;
 
@@ -63,7 +67,7 @@ class AddedMass {
   void respond(const SegmentValues& flux, SegmentValues& jump) const;
   void find_flux(const NodeVectors<dim>& acceleration, SegmentValues& flux) const;
   void multiply(const double* in, double* out);
-  void precondition(const double* in, double* out) const;
+  void precondition(const double* in, double* out);
 
   int stations_, segments_;
   double share_;  // of the span, for a station
@@ -72,6 +76,7 @@ class AddedMass {
   Eigen::MatrixXd to_waves_;               // orthonormal, stations x stations
   std::vector<Eigen::MatrixXd> response_;  // Pi transposed, by the number of waves
   std::vector<Eigen::MatrixXd> preconditioner_;
+  Eigen::RowVectorXd inverse_mass_;  // per area, of each node; 0 where the flag is held
   Krylov krylov_;
   TangentMatrix<dim>* tangent_ = nullptr;  // during solve()
   double mass_factor_ = 0;

@@ -14,8 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A factored tangent serves until an iteration shrinks the error by less than this; along the chord
-// alone factoring costs no more than a solution.
+// A tangent serves until an iteration shrinks the error by less than this; along the chord alone
+// factoring costs no more than a solution.
 template <int dim>
 constexpr double contraction = dim == 2 ? 0.0 : 0.1;
 
@@ -247,12 +247,16 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   equation_.pose(state.flag, D, dt);
   // An error of the positions is one of the jump, mass_factor (mu + added mass) times as large.
   constexpr double rounding = 1e-14;
-  newton_.set_tolerance(std::max(0.05 * settings_.tolerance / equation_.mass_factor, rounding));
+  newton_.set_tolerance(std::max(0.2 * settings_.tolerance / equation_.mass_factor, rounding));
   const double pressure_tolerance =
       std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
   SegmentValues g = guessed_jump(state, D);
-  x_ = state.flag.x + dt * state.flag.v;
+  // The positions that the extrapolated velocity leads to.
+  x_ = (velocity_ahead(state, D) - equation_.velocity_rest) / D.next - state.flag.x;
+  flag_.clear_held(x_);
+  x_ += state.flag.x;
   acceleration_.restart();
+  newton_.begin_step();
   for (summary.passes = 1;; ++summary.passes) {
     solve_flag(state, fixed, g, summary);
     move_wall(v_);

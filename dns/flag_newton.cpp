@@ -4,6 +4,12 @@
 #include <limits>
 
 namespace pennon::dns {
+namespace {
+
+// Of GMRES, with the factors of an earlier tangent: beyond, new ones are cheaper.
+constexpr int most_turns = 8;
+
+}  // namespace
 
 template <int dim>
 void FlagEquation<dim>::pose(const FlagState<dim>& state, const BackwardDifference& D,
@@ -34,9 +40,12 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
     v = equation.velocity_factor * x + equation.velocity_rest;
     const FlagStep<dim> step{start, x, equation.pairing, equation.dt, &v, equation.velocity_factor};
-    if (must_factor) {
+    if (must_factor || must_fill_) {
       tangent_->set_zero();
       flag_.add_tangent(step, equation.loads, equation.mass_factor, *tangent_);
+      must_fill_ = false;
+    }
+    if (must_factor) {
       factored_mass_ = 0;
       ++summary.factorisations;
       if (!tangent_->factor()) return false;
@@ -47,8 +56,9 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
     if (equation.added_mass) equation.added_mass->subtract_force(inertia_, change_);
     change_ -= inertia_ * flag_.mass().asDiagonal();
     flag_.clear_held(change_);
+    int turns = 0;
     if (equation.added_mass)
-      equation.added_mass->solve(*tangent_, equation.mass_factor, change_);
+      turns = equation.added_mass->solve(*tangent_, equation.mass_factor, change_);
     else
       tangent_->solve(change_);
     x += change_;
@@ -61,7 +71,9 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
       v = equation.velocity_factor * x + equation.velocity_rest;
       return true;
     }
-    must_factor = largest > settings_.contraction * last_change_;
+    const bool is_slow = largest > settings_.contraction * last_change_;
+    must_factor = equation.added_mass ? settings_.contraction == 0 || turns > most_turns : is_slow;
+    must_fill_ = is_slow;
     last_change_ = largest;
   }
   factored_mass_ = 0;

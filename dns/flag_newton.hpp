@@ -65,6 +65,9 @@ class FlagNewton {
 
   void set_tolerance(double tolerance) { settings_.tolerance = tolerance; }
   double last_change() const { return last_change_; }  ///< of an iteration that failed
+  /// A new step: the next solution has a tangent of its own. Its factors may be of an earlier one
+  /// where there is an added mass, whose solver makes up for it.
+  void begin_step() { must_fill_ = true; }
   /// Has the next solution factor its own tangent, so that what follows depends on the state alone.
   void forget_tangent() { factored_mass_ = 0; }
 
@@ -73,6 +76,7 @@ class FlagNewton {
   NewtonSettings settings_;
   std::unique_ptr<TangentMatrix<dim>> tangent_;
   NodeVectors<dim> change_, inertia_;
+  bool must_fill_ = true;
   double factored_mass_ = 0;  // the mass factor of the factored tangent; 0: none
   double last_change_ = 0;
 };

@@ -118,7 +118,6 @@ Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Opera
   check(KSPGMRESSetRestart(self.method, settings.restart));
   check(KSPSetPCSide(self.method, PC_LEFT));
   check(KSPSetNormType(self.method, KSP_NORM_PRECONDITIONED));
-  check(KSPSetInitialGuessNonzero(self.method, PETSC_TRUE));
   check(KSPSetTolerances(self.method, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
                          settings.most_iterations));
   PC preconditioner = nullptr;
@@ -146,6 +145,9 @@ KrylovSummary Krylov::solve(const double* b, double* x, double tolerance, double
   Implementation& self = *implementation_;
   check(KSPSetTolerances(self.method, relative, tolerance * self.root_unknowns, PETSC_DEFAULT,
                          PETSC_DEFAULT));
+  // What is wanted relative to x = 0 starts there, and spares the first residual.
+  check(
+      KSPSetInitialGuessNonzero(self.method, relative > least_relative ? PETSC_FALSE : PETSC_TRUE));
   check(VecPlaceArray(self.b, b));
   check(VecPlaceArray(self.x, x));
   self.caught = nullptr;

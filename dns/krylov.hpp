@@ -51,7 +51,8 @@ class Krylov {
   Krylov& operator=(const Krylov&) = delete;
 
   /// From the guess in x, until the root mean square of M^-1 (b - A x), an estimate of x's error,
-  /// is below `tolerance`, or below `relative` times that of x = 0. Throws what the operators
+  /// is below `tolerance`, or below `relative` times that of x = 0, from
+  /// which it starts if `relative` is given. Throws what the operators
   /// throw, and SolverError where PETSc fails; not to converge is no failure here.
   KrylovSummary solve(const double* b, double* x, double tolerance,
                       double relative = least_relative);

@@ -1,5 +1,7 @@
 #include "dns/tangent_matrix.hpp"
 
+#include <cblas.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -58,6 +60,14 @@ class TangentMatrix<dim>::Band {
     assert(info == 0);
   }
 
+  void multiply(Eigen::VectorXd& x) {
+    // The first width_ rows are room for the factors.
+    product_.setZero(unknowns_);
+    cblas_dgbmv(CblasColMajor, CblasNoTrans, unknowns_, unknowns_, width_, width_, 1.0,
+                entries_.data() + width_, leading_, x.data(), 1, 0.0, product_.data(), 1);
+    x.swap(product_);
+  }
+
  private:
   // By the Cholesky factors of the symmetric part; entry (r, c) at row r - c of column c.
   bool is_definite() {
@@ -74,6 +84,7 @@ class TangentMatrix<dim>::Band {
 
   int unknowns_, width_ = 0, leading_ = 0;
   Eigen::MatrixXd entries_, factors_, lower_;
+  Eigen::VectorXd product_;
   std::vector<int> pivots_;
 };
 
@@ -132,6 +143,17 @@ class TangentMatrix<dim>::Sparse {
       solution_.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
     else if (!is_solved)
       lu_->solve(matrix_, b, solution_);
+    b.swap(solution_);
+  }
+
+  void multiply(Eigen::VectorXd& x) {
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(x.size());
+    matrix_.evaluate_residual(x, nothing, residual_);
+    x = -residual_;
+  }
+  void solve_roughly(Eigen::VectorXd& b) {
+    if (!uses_cholesky_) return solve(b);
+    cholesky_->solve(b, solution_);
     b.swap(solution_);
   }
 
@@ -253,13 +275,35 @@ void TangentMatrix<dim>::clear_held(Eigen::Matrix<double, dim, Eigen::Dynamic>& 
 }
 
 template <int dim>
-void TangentMatrix<dim>::solve(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) {
+template <class Change>
+void TangentMatrix<dim>::change_unknowns(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors,
+                                         const Change& change) const {
   const auto nodes = static_cast<Eigen::Index>(free_.size());
   for (Eigen::Index n = 0; n < nodes; ++n)
     unknowns_.segment<dim>(dim * n) = vectors.col(free_[static_cast<std::size_t>(n)]);
-  storage_->solve(unknowns_);
+  change(unknowns_);
   for (Eigen::Index n = 0; n < nodes; ++n)
     vectors.col(free_[static_cast<std::size_t>(n)]) = unknowns_.segment<dim>(dim * n);
+}
+
+template <int dim>
+void TangentMatrix<dim>::solve(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) {
+  change_unknowns(vectors, [this](Eigen::VectorXd& unknowns) { storage_->solve(unknowns); });
+}
+
+template <int dim>
+void TangentMatrix<dim>::solve_roughly(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) {
+  change_unknowns(vectors, [this](Eigen::VectorXd& unknowns) {
+    if constexpr (dim == 3)
+      storage_->solve_roughly(unknowns);
+    else
+      storage_->solve(unknowns);
+  });
+}
+
+template <int dim>
+void TangentMatrix<dim>::multiply(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) const {
+  change_unknowns(vectors, [this](Eigen::VectorXd& unknowns) { storage_->multiply(unknowns); });
 }
 
 template class TangentMatrix<2>;

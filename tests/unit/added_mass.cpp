@@ -99,7 +99,12 @@ void expect_solved() {
     left.segment<dim>(static_cast<Eigen::Index>(dim * n)) = residual.col(free[n]);
   }
   left -= tangent->matrix() * unknowns;
-  EXPECT_LT(left.norm(), 2e-3 * r.norm());
+  for (std::size_t n = 0; n < free.size(); ++n)
+    residual.col(free[n]) = left.segment<dim>(static_cast<Eigen::Index>(dim * n));
+  // What the solution lacks: the tip's stiff bending makes large forces of small displacements.
+  NodeVectors<dim> lacking = residual;
+  added_mass.solve(*tangent, mass_factor, lacking);
+  EXPECT_LT(lacking.norm(), 1e-3 * solution.norm());
   // Without the added mass the residual is of the order of r itself: the test can tell.
   NodeVectors<dim> alone = r;
   tangent->solve(alone);

@@ -1,0 +1,197 @@
+// A step of flag and flow together in full flapping: case C2D of Table 1 at t = 5, in two
+// dimensions, and the same flow with a small wave along a span. Counters: milliseconds of a step,
+// in all and by phase; passes and iterations; memory. In two dimensions also what a step costs
+// without some of its physics. On one rank; docs/accuracy.md says how two were timed.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/petsc.hpp"
+#include "common/ranks.hpp"
+#include "dns/coupling.hpp"
+
+namespace pennon::dns {
+namespace {
+
+constexpr double dt = 0.002, span = 2, flapping = 5;
+const OGridSettings grid_settings{};  // 60 x 120 cells
+
+struct Physics {
+  double U = 0, K_B = 1e-4, damping = 0.02;
+  bool is_held = false;
+};
+
+template <int dim>
+struct Run {
+  Fluid fluid;
+  Flag<dim> flag;
+  Coupling<dim> coupling;
+  CoupledState<dim> state;
+
+  static FlagMesh mesh(const OGrid& grid, int planes) {
+    if constexpr (dim == 2) return {coupled_chord(grid), {}};
+    return {coupled_chord(grid), planes, span, {}};
+  }
+  Run(int planes, const Physics& physics)
+      : fluid(OGrid(grid_settings), Span(planes, span), {1000, physics.U}, {}),
+        flag(mesh(fluid.grid(), planes), {0.125, physics.K_B, 500, 0.3, physics.damping}),
+        coupling(fluid, flag, Eigen::Matrix<double, dim, 1>::Zero(), {}) {}
+};
+
+// Flapping in two dimensions.
+Run<2>& flapping_flag() {
+  static Run<2> run(1, {});
+  if (run.state.fluid.t == 0) {
+    NodeVectors<2> x = run.flag.rest();
+    for (int j = 1; j < x.cols(); ++j) {
+      x(1, j) = 0.05 * x(0, j) * x(0, j);
+      x(0, j) = x(0, j - 1) + std::sqrt(std::pow(run.flag.mesh().dy(j - 1), 2) -
+                                        std::pow(x(1, j) - x(1, j - 1), 2));
+    }
+    run.state = run.coupling.start(x, 0);
+    for (double h = dt / 20; run.state.fluid.t < flapping; h = std::min(1.2 * h, dt))
+      run.coupling.advance(run.state, h);
+  }
+  return run;
+}
+
+Field<double> extruded(const Field<double>& f, const Extent& extent) {
+  Field<double> wide(extent);
+  for (int plane = 0; plane < extent.planes; ++plane)
+    std::copy(
+        f.row(0, -Field<double>::ghosts),
+        f.row(0, extent.n_rho + Field<double>::ghosts - 1) + extent.n_theta + Field<double>::ghosts,
+        wide.row(plane, -Field<double>::ghosts));
+  return wide;
+}
+
+// The flag in two dimensions at every station, and a wave of the velocity along the span.
+void extrude(const Run<2>& flat, Run<3>& wide) {
+  const Extent& extent = wide.fluid.extent();
+  const FluidState& from = flat.state.fluid;
+  FluidState& to = wide.state.fluid;
+  to = FluidState{from.t, from.previous_dt, {}, {}, {}, {}, {}, {}, {}};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto copy = [&](const std::vector<Field<double>>& u) {
+      return c < 2 ? extruded(u[c], extent) : Field<double>(extent);
+    };
+    to.u.push_back(copy(from.u));
+    to.u_last.push_back(copy(from.u_last));
+    to.u_change.push_back(copy(from.u_change));
+  }
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int j = 0; j < extent.n_rho; ++j)
+      for (int i = 0; i < extent.n_theta; ++i)
+        for (std::vector<Field<double>>* u : {&to.u, &to.u_last})
+          (*u)[0].row(plane, j)[i] +=
+              0.01 * std::cos(2 * std::numbers::pi * wide.fluid.span().x(plane) / span);
+  to.p = extruded(from.p, extent);
+  to.p_last = extruded(from.p_last, extent);
+  for (const Displacement<double>& grid : from.grid) {
+    Displacement<double>& moved = to.grid.emplace_back(extent);
+    moved.y = extruded(grid.y, extent);
+    moved.z = extruded(grid.z, extent);
+  }
+  for (int plane = 0; plane < extent.planes; ++plane)
+    to.is_inflow.insert(to.is_inflow.end(), from.is_inflow.begin(), from.is_inflow.end());
+  const FlagMesh& mesh = wide.flag.mesh();
+  const auto nodes = [&](const NodeVectors<2>& x, bool is_place) {
+    NodeVectors<3> all = NodeVectors<3>::Zero(3, mesh.nodes());
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      all.col(node).tail<2>() = x.col(node % mesh.chord_nodes());
+      if (is_place) all(0, node) = mesh.x(node / mesh.chord_nodes());
+    }
+    return all;
+  };
+  FlagState<3>& flag = wide.state.flag;
+  flag = {from.t,
+          nodes(flat.state.flag.x, true),
+          nodes(flat.state.flag.v, false),
+          nodes(flat.state.flag.previous_x, true),
+          nodes(flat.state.flag.previous_v, false),
+          flat.state.flag.previous_dt,
+          0,
+          0};
+  wide.state.jump = flat.state.jump.replicate(mesh.stations(), 1);
+  wide.state.previous_jump = flat.state.previous_jump.replicate(mesh.stations(), 1);
+}
+
+template <int dim>
+void time_steps(benchmark::State& bench, Run<dim>& run, bool is_held) {
+  FluidStepTimes seconds;
+  double flag = 0, passes = 0, pressure = 0, newton = 0, steps = 0;
+  for (auto _ : bench) {
+    const CoupledStepSummary summary =
+        is_held ? run.coupling.advance_held(run.state, dt) : run.coupling.advance(run.state, dt);
+    seconds.grid += summary.fluid.seconds.grid;
+    seconds.metrics += summary.fluid.seconds.metrics;
+    seconds.prediction += summary.fluid.seconds.prediction;
+    seconds.projection += summary.fluid.seconds.projection;
+    flag += summary.flag_seconds;
+    passes += summary.passes;
+    pressure += summary.fluid.pressure_iterations;
+    newton += summary.flag_iterations;
+    ++steps;
+  }
+  const auto ms = [&](double time) { return 1e3 * time / steps; };
+  bench.counters["ms_grid"] = ms(seconds.grid);
+  bench.counters["ms_metrics"] = ms(seconds.metrics);
+  bench.counters["ms_prediction"] = ms(seconds.prediction);
+  bench.counters["ms_projection"] = ms(seconds.projection);
+  bench.counters["ms_flag"] = ms(flag);
+  bench.counters["passes"] = passes / steps;
+  bench.counters["pressure_iterations"] = pressure / steps;
+  bench.counters["newton_iterations"] = newton / steps;
+  bench.counters["ranks"] = ranks::count();
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  constexpr double gigabyte = 1e6;  // ru_maxrss counts thousands
+  bench.counters["GB"] = ranks::sum(static_cast<double>(usage.ru_maxrss)) / gigabyte;
+}
+
+void two_dimensions(benchmark::State& bench, const Physics& physics) {
+  petsc::start();
+  const Run<2>& developed = flapping_flag();
+  Run<2> run(1, physics);
+  run.state = developed.state;
+  if (physics.U != 0) {  // a third velocity, at rest in the stream
+    const Field<double> across(run.fluid.extent(), physics.U);
+    run.state.fluid.u.push_back(across);
+    run.state.fluid.u_last.push_back(across);
+    run.state.fluid.u_change.emplace_back(run.fluid.extent());
+  }
+  time_steps(bench, run, physics.is_held);
+}
+
+void with_span(benchmark::State& bench) {
+  petsc::start();
+  Run<3> run(static_cast<int>(bench.range(0)), {});
+  extrude(flapping_flag(), run);
+  constexpr int steps_before = 5;  // the first factors, and the wave settles
+  for (int n = 0; n < steps_before; ++n) run.coupling.advance(run.state, dt);
+  time_steps(bench, run, false);
+}
+
+constexpr int flat_steps = 200, wide_steps = 10;
+BENCHMARK_CAPTURE(two_dimensions, whole, Physics{})
+    ->Iterations(flat_steps)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(two_dimensions, no_damping, Physics{.damping = 0})
+    ->Iterations(flat_steps)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(two_dimensions, no_bending, Physics{.K_B = 0})
+    ->Iterations(flat_steps)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(two_dimensions, cross_flow, Physics{.U = 0.25})
+    ->Iterations(flat_steps)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(two_dimensions, held, Physics{.is_held = true})
+    ->Iterations(flat_steps)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(with_span)->Arg(24)->Arg(60)->Iterations(wide_steps)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace pennon::dns
