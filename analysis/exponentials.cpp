@@ -28,8 +28,8 @@ Matrix hankel(const Complexes& samples) {
 Eigen::Index rank_of(const Eigen::VectorXd& values, double beta) {
   const double omega = ((0.56 * beta - 0.95) * beta + 1.82) * beta + 1.43;
   const double least = std::max(omega * values(values.size() / 2), roundoff * values(0));
-  const auto above = std::count_if(values.begin(), values.end(),
-                                   [&](double value) { return value > least; });
+  const auto above =
+      std::count_if(values.begin(), values.end(), [&](double value) { return value > least; });
   return std::min<Eigen::Index>(above, most_exponentials);
 }
 
@@ -59,12 +59,12 @@ std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt) {
   if (rank == 0) return {};
   const Matrix space = svd.matrixV().leftCols(rank).conjugate();
   const Eigen::Index shifted = space.rows() - 1;
-  const Matrix shift = space.topRows(shifted).colPivHouseholderQr().solve(space.bottomRows(shifted));
+  const Matrix shift =
+      space.topRows(shifted).colPivHouseholderQr().solve(space.bottomRows(shifted));
   const Vector z = Eigen::ComplexEigenSolver<Matrix>(shift, false).eigenvalues();
   const Vector amplitudes = amplitudes_of(z, samples);
   std::vector<Exponential> found;
-  for (Eigen::Index i = 0; i < rank; ++i)
-    found.push_back({std::log(z(i)) / dt, amplitudes(i)});
+  for (Eigen::Index i = 0; i < rank; ++i) found.push_back({std::log(z(i)) / dt, amplitudes(i)});
   return found;
 }
 

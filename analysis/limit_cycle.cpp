@@ -65,15 +65,16 @@ std::string fault_of(const std::vector<Period>& periods, double amplitude) {
     return fmt::format("limit cycle: the flag is at rest, its trailing edge swings by {:.2g} L",
                        amplitude);
   if (periods.size() < fewest_periods_of_cycle)
-    return fmt::format("limit cycle: the run has {} whole periods of the trailing edge, and {} are "
-                       "needed; run longer",
-                       periods.size(), fewest_periods_of_cycle);
+    return fmt::format(
+        "limit cycle: the run has {} whole periods of the trailing edge, and {} are "
+        "needed; run longer",
+        periods.size(), fewest_periods_of_cycle);
   const Scatter found = scatter_of(periods);
   if (is_periodic(periods)) return {};
-  return fmt::format("limit cycle: the last {} periods differ by {:.2g} % in amplitude and {:.2g} % "
-                     "in length, above {:.2g} %: the run is not periodic, or not yet",
-                     periods.size(), 100 * found.amplitude, 100 * found.length,
-                     100 * periodic_within);
+  return fmt::format(
+      "limit cycle: the last {} periods differ by {:.2g} % in amplitude and {:.2g} % "
+      "in length, above {:.2g} %: the run is not periodic, or not yet",
+      periods.size(), 100 * found.amplitude, 100 * found.length, 100 * periodic_within);
 }
 
 void find_shedding(const RunHistory& run, const Settings& settings, LimitCycleResult& result) {
@@ -146,8 +147,7 @@ LimitCycleResult find_limit_cycle(const RunHistory& run, const Settings& setting
   cycle.antinode = antinode_of(run);
   const std::vector<double>& z = run.z[cycle.antinode];
   cycle.periods = last_periods(run.t, z, static_cast<std::size_t>(settings.periods));
-  const double swing =
-      half_range(z, rows_between(run.t, begin_of_last_part(run.t), run.t.back()));
+  const double swing = half_range(z, rows_between(run.t, begin_of_last_part(run.t), run.t.back()));
   if (std::string fault = fault_of(cycle.periods, swing); !fault.empty()) {
     result.notes.push_back(std::move(fault));
     return result;

@@ -3,14 +3,15 @@
 ///     A     half the range of z of the trailing edge at its antinode, the station where it is
 ///           largest; the mean over the last periods
 ///     f_s   flapping frequency of z there
-///     f_v   shedding frequency: of w at the probe nearest to (y, z) = (2, 1/4) L. The paper takes v
+///     f_v   shedding frequency: of w at the probe nearest to (y, z) = (2, 1/4) L. The paper takes
+///     v
 ///           there; of the same period, it has a second harmonic that grows toward z = 0
 ///     St    2 A f_s/V
 ///     C_D_mean   time average of C_D over the last periods;  C_L_amp   half the range of C_L
 ///
 /// Periods are told by upward passages through the mean (a passage counts when the signal has been
-/// below the mean by a fifth of its half range since the last one). The run has a limit cycle if its
-/// last periods, 3 at least, agree within 5 % in amplitude and length.
+/// below the mean by a fifth of its half range since the last one). The run has a limit cycle if
+/// its last periods, 3 at least, agree within 5 % in amplitude and length.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,8 @@ constexpr double two_pi = 2 * std::numbers::pi;
 constexpr std::size_t most_samples = 160, fewest_rows_of_window = 16;
 constexpr double fewest_periods = 2;
 // Displacements within which a flag is sought to be linear, in L; with the amplitude of a limit
-// cycle near 0.14 L, Stuart's and Landau's growth rate at these is 18, 5 and 0.5 % below the linear.
+// cycle near 0.14 L, Stuart's and Landau's growth rate at these is 18, 5 and 0.5 % below the
+// linear.
 constexpr std::array<double, 3> linear_amplitudes = {0.06, 0.03, 0.01};
 constexpr std::array<double, 5> first_shares = {0, 0.15, 0.3, 0.45, 0.6};
 constexpr std::array<double, 3> last_shares = {1, 0.8, 0.6};
@@ -58,8 +59,7 @@ std::optional<Leading> leading_of(const std::vector<Exponential>& all, double le
   double own = 0, amplitude = 0;
   for (const Exponential& e : all)
     for (const double sign : {1.0, -1.0})
-      if (std::abs(e.lambda - std::complex(leading->lambda.real(),
-                                           sign * leading->lambda.imag())) <
+      if (std::abs(e.lambda - std::complex(leading->lambda.real(), sign * leading->lambda.imag())) <
           agreement * std::abs(leading->lambda)) {
         own += energy(e, length / 2, length);
         amplitude += std::abs(e.amplitude);
@@ -168,8 +168,8 @@ LinearPhase in_given_window(const RunHistory& run, const std::vector<Complexes>&
   phase.wave = leading_wave(run.t, components, (from + to) / 2, to);
   phase.growth = fit_growth(run.t, components[phase.wave], from, to);
   if (!phase.growth)
-    phase.note = fmt::format("growth: no mode swings over two periods between t = {:.4g} and {:.4g}",
-                             from, to);
+    phase.note = fmt::format(
+        "growth: no mode swings over two periods between t = {:.4g} and {:.4g}", from, to);
   else if (contradicts_itself(*phase.growth))
     phase.note = "growth: fits to parts of the given window differ by more than a tenth";
   return phase;
@@ -193,8 +193,7 @@ std::optional<Growth> fit_growth(const std::vector<double>& t, const Complexes& 
   for (const double shift : {0.0, 0.5, 1.0}) {
     const auto part = fit(t, signal, from + shift * third, from + (shift + 2) * third);
     if (!part) return std::nullopt;
-    growth.sigma_error =
-        std::max(growth.sigma_error, std::abs(part->lambda.real() - growth.sigma));
+    growth.sigma_error = std::max(growth.sigma_error, std::abs(part->lambda.real() - growth.sigma));
     growth.omega_error =
         std::max(growth.omega_error, std::abs(std::abs(part->lambda.imag()) - growth.omega));
   }

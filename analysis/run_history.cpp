@@ -17,10 +17,10 @@ constexpr std::size_t probe_values = 4, v_value = 0, w_value = 1;
 
 // What the analysis reads of /history.
 constexpr const char* needed[] = {
-    "t",           "C_D",        "C_L",          "kinetic",      "dissipation",
-    "wall_power",  "outer_power", "energy_defect", "flag_kinetic", "bending",
-    "stretch_2d",  "stretch_3d", "gravity",      "damping_dissipated", "fluid_work",
-    "flag_defect"};
+    "t",           "C_D",        "C_L",         "C_S",           "kinetic",
+    "dissipation", "wall_power", "outer_power", "energy_defect", "flag_kinetic",
+    "bending",     "stretch_2d", "stretch_3d",  "gravity",       "damping_dissipated",
+    "fluid_work",  "flag_defect"};
 
 std::vector<std::string> split(const std::string& names) {
   std::vector<std::string> words;
@@ -35,9 +35,10 @@ class HistoryFile {
     const std::string kind = file_.text("/", "kind");
     if (kind != "coupled_history")
       throw InputError(
-          path_, fmt::format("holds {}, but pennon analyze needs the coupled_history of a flag that "
-                             "the flow moves: a case with [flow] and without [dns.motion]",
-                             kind.empty() ? "nothing that pennon wrote" : kind));
+          path_,
+          fmt::format("holds {}, but pennon analyze needs the coupled_history of a flag that "
+                      "the flow moves: a case with [flow] and without [dns.motion]",
+                      kind.empty() ? "nothing that pennon wrote" : kind));
   }
 
   RunHistory read() const {
@@ -78,8 +79,9 @@ class HistoryFile {
   void check_times(const std::vector<double>& t) const {
     const auto back = std::ranges::adjacent_find(t, std::ranges::greater_equal());
     if (back != t.end())
-      throw InputError(path_, fmt::format("has t = {} in row {} of /history, not above {} before it",
-                                          back[1], back - t.begin() + 1, back[0]));
+      throw InputError(
+          path_, fmt::format("has t = {} in row {} of /history, not above {} before it", back[1],
+                             back - t.begin() + 1, back[0]));
   }
 
   void read_trailing_edge(RunHistory& history) const {
@@ -88,9 +90,9 @@ class HistoryFile {
     history.z.resize(edge.shape[1]);
     for (std::size_t row = 0; row < edge.shape[0]; ++row)
       for (std::size_t m = 0; m < edge.shape[1]; ++m)
-        history.z[m].push_back(finite(
-            edge.values[(row * edge.shape[1] + m) * components + z_component], "/trailing_edge",
-            row));
+        history.z[m].push_back(
+            finite(edge.values[(row * edge.shape[1] + m) * components + z_component],
+                   "/trailing_edge", row));
   }
 
   void read_probes(RunHistory& history) const {
@@ -132,8 +134,8 @@ class HistoryFile {
   }
   double finite(double value, const char* name, std::size_t row) const {
     if (!std::isfinite(value))
-      throw InputError(path_, fmt::format("has {} for {} in row {}: the run blew up", value, name,
-                                          row));
+      throw InputError(path_,
+                       fmt::format("has {} for {} in row {}: the run blew up", value, name, row));
     return value;
   }
 
@@ -143,17 +145,20 @@ class HistoryFile {
 
 }  // namespace
 
-RunHistory read_run_history(const std::filesystem::path& folder) {
+void require_run_folder(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder))
     throw InputError(folder.string(),
                      "there is no such folder; pennon analyze takes the output folder of a run of "
                      "pennon dns");
-  const std::filesystem::path file = folder / "history.h5";
-  if (!std::filesystem::is_regular_file(file))
+  if (!std::filesystem::is_regular_file(folder / "history.h5"))
     throw InputError(folder.string(),
                      "has no history.h5; pennon analyze takes the output folder of a run of pennon "
                      "dns");
-  return HistoryFile(file).read();
+}
+
+RunHistory read_run_history(const std::filesystem::path& folder) {
+  require_run_folder(folder);
+  return HistoryFile(folder / "history.h5").read();
 }
 
 }  // namespace pennon::analysis

@@ -15,11 +15,11 @@ struct ProbeHistory {
 };
 
 struct RunHistory {
-  double span = 1;         ///< gamma; 1 in two dimensions
-  std::vector<double> t;   ///< increasing, not necessarily equally spaced
+  double span = 1;        ///< gamma; 1 in two dimensions
+  std::vector<double> t;  ///< increasing, not necessarily equally spaced
   std::map<std::string, std::vector<double>> columns;  ///< each with a value for each of t
-  std::vector<std::vector<double>> z;   ///< of the trailing edge, [station][row]
-  std::vector<ProbeHistory> probes;     ///< those inside the grid all the time
+  std::vector<std::vector<double>> z;                  ///< of the trailing edge, [station][row]
+  std::vector<ProbeHistory> probes;                    ///< those inside the grid all the time
 
   std::size_t planes() const { return z.size(); }
   bool has_span() const { return planes() > 1; }
@@ -29,9 +29,12 @@ struct RunHistory {
 /// Rows below this number tell nothing.
 inline constexpr std::size_t fewest_rows = 16;
 
-/// Reads `folder`/history.h5. Throws InputError where there is no such folder or file, where the
-/// file is not the history of a coupled run, lacks a column or array, is too short, has a time that
-/// does not increase or a value that is not a number.
+/// Throws InputError where there is no such folder, or no history in it.
+void require_run_folder(const std::filesystem::path& folder);
+
+/// Reads `folder`/history.h5. Throws InputError as require_run_folder(), and where the file is not
+/// the history of a coupled run, lacks a column or array, is too short, has a time that does not
+/// increase or a value that is not a number.
 RunHistory read_run_history(const std::filesystem::path& folder);
 
 }  // namespace pennon::analysis

@@ -1,5 +1,7 @@
 #include "analysis/settings.hpp"
 
+#include <fmt/format.h>
+
 namespace pennon::analysis {
 
 void declare(Schema& schema, Settings& settings) {
@@ -13,6 +15,12 @@ void declare(Schema& schema, Settings& settings) {
       .key({"probe_z", &settings.probe_z, "the same, in L", any_sign})
       .key({"periods", &settings.periods,
             "whole periods at the end over which the limit cycle is averaged", Range{3, 1000}});
+}
+
+void check(const Settings& settings, Faults& faults) {
+  if (settings.from && settings.to && *settings.from >= *settings.to)
+    faults.about("analysis.to", fmt::format("analysis.to = {} must be above analysis.from = {}",
+                                            *settings.to, *settings.from));
 }
 
 }  // namespace pennon::analysis

@@ -19,10 +19,10 @@ std::vector<Complexes> spanwise_components(const std::vector<std::vector<double>
   const std::size_t stations = values.size(), rows = values.front().size();
   std::vector<double> station_values(stations);
   Complexes coefficients(stations / 2 + 1);
-  const Plan plan(fftw_plan_dft_r2c_1d(static_cast<int>(stations), station_values.data(),
-                                       reinterpret_cast<fftw_complex*>(coefficients.data()),
-                                       FFTW_ESTIMATE),
-                  fftw_destroy_plan);
+  const Plan plan(
+      fftw_plan_dft_r2c_1d(static_cast<int>(stations), station_values.data(),
+                           reinterpret_cast<fftw_complex*>(coefficients.data()), FFTW_ESTIMATE),
+      fftw_destroy_plan);
   std::vector<Complexes> components(std::min(highest_wave + 1, stations / 2 + 1));
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t m = 0; m < stations; ++m) station_values[m] = values[m][row];
@@ -49,9 +49,8 @@ std::vector<double> envelope(const std::vector<double>& t, const std::vector<dou
   largest.reserve(t.size());
   for (const double time : t) {
     const Rows rows = rows_between(t, time - period / 2, time + period / 2);
-    largest.push_back(
-        *std::max_element(values.begin() + static_cast<std::ptrdiff_t>(rows.begin),
-                          values.begin() + static_cast<std::ptrdiff_t>(rows.end)));
+    largest.push_back(*std::max_element(values.begin() + static_cast<std::ptrdiff_t>(rows.begin),
+                                        values.begin() + static_cast<std::ptrdiff_t>(rows.end)));
   }
   return largest;
 }
