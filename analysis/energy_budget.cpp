@@ -71,6 +71,9 @@ EnergyBudget energy_budget(const RunHistory& run, double U, double kick_end) {
   const double scale = largest_size(sum(e.fluid, e.flag_kinetic));
   e.residual = scale > 0 ? largest_size(e.defect) / scale : 0;
   e.residual_exchange = scale > 0 ? largest_size(e.exchange) / scale : 0;
+  for (const double change : change_in_convective_period(e.t, e.defect, e.total))
+    if (std::isfinite(change))
+      e.residual_per_time = std::max(e.residual_per_time, std::abs(change));
   return e;
 }
 

@@ -30,6 +30,8 @@ struct EnergyBudget {
   std::vector<double> balance;  ///< total - received
   double residual = 0;  ///< the largest |defect| over the largest kinetic energy of flag and fluid
   double residual_exchange = 0;  ///< of the exchange alone, on the same
+  /// The largest change of the defect in one convective period, over the total at its end.
+  double residual_per_time = 0;
 };
 
 /// U: the cross-flow; `kick_end`: when the kick at the start is over, 0 without one.

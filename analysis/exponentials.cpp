@@ -25,12 +25,12 @@ Matrix hankel(const Complexes& samples) {
 
 // How many singular values are signal: those above the optimal threshold for white noise of unknown
 // level, omega(beta) times the median (Gavish & Donoho 2014, equation 5).
-Eigen::Index rank_of(const Eigen::VectorXd& values, double beta) {
+Eigen::Index rank_of(const Eigen::VectorXd& values, double beta, std::size_t most) {
   const double omega = ((0.56 * beta - 0.95) * beta + 1.82) * beta + 1.43;
   const double least = std::max(omega * values(values.size() / 2), roundoff * values(0));
   const auto above =
       std::count_if(values.begin(), values.end(), [&](double value) { return value > least; });
-  return std::min<Eigen::Index>(above, most_exponentials);
+  return std::min(above, static_cast<Eigen::Index>(most));
 }
 
 // The amplitudes that fit the samples best, in the least-squares sense.
@@ -49,13 +49,13 @@ Vector amplitudes_of(const Vector& z, const Complexes& samples) {
 
 }  // namespace
 
-std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt) {
+std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt, std::size_t most) {
   assert(samples.size() >= 8);
   const Matrix matrix = hankel(samples);
   const Eigen::BDCSVD<Matrix> svd(matrix, Eigen::ComputeThinV);
   if (!(svd.singularValues()(0) > 0)) return {};
   const double beta = static_cast<double>(matrix.cols()) / static_cast<double>(matrix.rows());
-  const Eigen::Index rank = rank_of(svd.singularValues(), beta);
+  const Eigen::Index rank = rank_of(svd.singularValues(), beta, most);
   if (rank == 0) return {};
   const Matrix space = svd.matrixV().leftCols(rank).conjugate();
   const Eigen::Index shifted = space.rows() - 1;

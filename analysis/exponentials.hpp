@@ -21,11 +21,8 @@ struct Exponential {
   std::complex<double> amplitude;  ///< at the first sample
 };
 
-/// At most this many are told apart.
-inline constexpr std::size_t most_exponentials = 12;
-
-/// Needs at least 8 samples. Exact, to roundoff, for a sum of at most `most_exponentials`; none of
-/// a signal that is zero.
-std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt);
+/// At most `most` of them. Needs at least 8 samples. Exact, to roundoff, for a sum of no more than
+/// that many; none of a signal that is zero.
+std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt, std::size_t most);
 
 }  // namespace pennon::analysis

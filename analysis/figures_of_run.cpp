@@ -11,9 +11,9 @@ namespace pennon::analysis {
 namespace {
 
 constexpr std::size_t waves_drawn = 4;
-// Profiles of a waterfall, and how far apart they stand in units of the largest displacement.
-constexpr std::size_t profiles_drawn = 90;
-constexpr double profile_gap = 0.5;
+// Profiles of a waterfall, and how far the largest displacement shifts one, in gaps between them.
+constexpr std::size_t profiles_drawn = 150;
+constexpr double largest_shift = 2;
 // Times of a map over time and span.
 constexpr std::size_t times_drawn = 1200;
 
@@ -21,9 +21,9 @@ const char* const time_label = "{/:Italic tV}/{/:Italic L}";
 const char* const span_label = "{/:Italic x}/{/:Italic L}";
 const char* const energy_unit = " / {/:Italic ρ_f V}^{ 2}{/:Italic L}^{ 2}";
 
-Figure over_time(std::string label) {
+Figure over_time(const RunAnalysis& found, std::string label) {
   Figure figure;
-  figure.x.label = time_label;
+  figure.x = {time_label, false, found.run.t.front(), found.run.t.back()};
   figure.y.label = std::move(label);
   return figure;
 }
@@ -73,7 +73,7 @@ bool is_drawn(const std::vector<double>& values) {
 }  // namespace
 
 Figure figure_of_trailing_edge(const RunAnalysis& found) {
-  Figure figure = over_time("{/:Italic ζ}/{/:Italic L}");
+  Figure figure = over_time(found, "{/:Italic ζ}/{/:Italic L}");
   figure.lines.push_back(
       {found.run.t, found.run.z[antinode_of(found.run)], "", Stroke::solid, 0, 1.2});
   if (const auto& growth = found.linear.growth) {
@@ -84,7 +84,8 @@ Figure figure_of_trailing_edge(const RunAnalysis& found) {
 }
 
 Figure figure_of_growth(const RunAnalysis& found) {
-  Figure figure = over_time(fmt::format("|{{/:Italic ζ}}_{}|/{{/:Italic L}}", found.linear.wave));
+  Figure figure =
+      over_time(found, fmt::format("|{{/:Italic ζ}}_{}|/{{/:Italic L}}", found.linear.wave));
   figure.y.is_log = true;
   Line size{found.run.t, {}, "", Stroke::solid, 0, 1};
   double largest = 0;
@@ -103,7 +104,7 @@ Figure figure_of_growth(const RunAnalysis& found) {
 }
 
 Figure figure_of_spanwise_amplitudes(const RunAnalysis& found) {
-  Figure figure = over_time("|{/:Italic ζ_n}|/{/:Italic L}");
+  Figure figure = over_time(found, "|{/:Italic ζ_n}|/{/:Italic L}");
   figure.y.low = 0;
   const std::vector<std::vector<double>> sizes = moduli(found.components);
   for (std::size_t n = 0; n < std::min(waves_drawn, sizes.size()); ++n)
@@ -113,14 +114,14 @@ Figure figure_of_spanwise_amplitudes(const RunAnalysis& found) {
 }
 
 Figure figure_of_waterfall(const RunAnalysis& found) {
-  Figure figure = over_time(span_label);
+  Figure figure = over_time(found, span_label);
   const RunHistory& run = found.run;
   const double gap = (run.t.back() - run.t.front()) / static_cast<double>(profiles_drawn - 1);
   const double largest = largest_displacement(run);
-  const double scale = largest > 0 ? gap / (profile_gap * largest) : 0;
+  const double scale = largest > 0 ? gap * largest_shift / largest : 0;
   const std::vector<Spline> stations = splines(run);
   for (const double t : equal_times(run.t.front(), run.t.back(), profiles_drawn)) {
-    Line line{profile(run, stations, t), closed_span(run), "", Stroke::solid, 0, 0.7};
+    Line line{profile(run, stations, t), closed_span(run), "", Stroke::solid, 0, 0.6};
     for (double& x : line.x) x = t + scale * x;
     figure.lines.push_back(std::move(line));
   }
@@ -130,7 +131,7 @@ Figure figure_of_waterfall(const RunAnalysis& found) {
 }
 
 Figure figure_of_space_and_time(const RunAnalysis& found) {
-  Figure figure = over_time(span_label);
+  Figure figure = over_time(found, span_label);
   const RunHistory& run = found.run;
   Field field{equal_times(run.t.front(), run.t.back(), times_drawn),
               closed_span(run),
@@ -148,7 +149,7 @@ Figure figure_of_space_and_time(const RunAnalysis& found) {
 }
 
 Figure figure_of_forces(const RunAnalysis& found) {
-  Figure figure = over_time("force coefficient");
+  Figure figure = over_time(found, "force coefficient");
   figure.lines.push_back(
       {found.run.t, found.run.column("C_D"), "{/:Italic C_D}", Stroke::solid, 1, 1.2});
   figure.lines.push_back(
@@ -157,7 +158,7 @@ Figure figure_of_forces(const RunAnalysis& found) {
 }
 
 Figure figure_of_flag_energy(const RunAnalysis& found) {
-  Figure figure = over_time(std::string("energy of the flag") + energy_unit);
+  Figure figure = over_time(found, std::string("energy of the flag") + energy_unit);
   const EnergyBudget& e = found.energy;
   figure.lines.push_back({e.t, e.flag_kinetic, "kinetic", Stroke::solid, 1, 1.2});
   figure.lines.push_back({e.t, e.bending, "bending", Stroke::solid, 2, 1.2});
@@ -169,7 +170,7 @@ Figure figure_of_flag_energy(const RunAnalysis& found) {
 }
 
 Figure figure_of_energy_budget(const RunAnalysis& found) {
-  Figure figure = over_time(std::string("energy") + energy_unit);
+  Figure figure = over_time(found, std::string("energy") + energy_unit);
   const EnergyBudget& e = found.energy;
   figure.lines.push_back({e.t, e.total, "flag and fluid", Stroke::solid, 0, 1.5});
   figure.lines.push_back({e.t, e.received, "received", Stroke::dashed, 1, 1.2});

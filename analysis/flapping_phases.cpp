@@ -11,7 +11,7 @@
 namespace pennon::analysis {
 namespace {
 
-constexpr double grown = 0.5, two_d_share = 0.5, ruling_share = 0.9, steady_within = 0.1;
+constexpr double grown = 0.5, ruling_share = 0.9, steady_within = 0.1;
 constexpr double last_part = 0.2;
 // A flag whose amplitude never gets above this, in L, does not flap.
 constexpr double at_rest = 1e-3;
@@ -34,12 +34,6 @@ std::vector<double> total_of(const std::vector<std::vector<double>>& envelopes) 
   return total;
 }
 
-double largest_but_first(const std::vector<std::vector<double>>& envelopes, std::size_t row) {
-  double largest = 0;
-  for (std::size_t n = 1; n < envelopes.size(); ++n) largest = std::max(largest, envelopes[n][row]);
-  return largest;
-}
-
 // Whether the amplitude was as large before the last part of the run as it ever is.
 bool has_stopped_growing(const std::vector<double>& t, const std::vector<double>& total) {
   const std::size_t last = rows_between(t, begin_of_last_part(t), t.back()).begin;
@@ -49,24 +43,22 @@ bool has_stopped_growing(const std::vector<double>& t, const std::vector<double>
          (1 - steady_within) * largest_in(middle, total.end());
 }
 
-void find_first_end(const std::vector<double>& t, const std::vector<std::vector<double>>& envelopes,
-                    const std::vector<double>& total, double period, Phases& phases) {
+void find_first_end(const std::vector<double>& t, const std::vector<double>& total, double period,
+                    Phases& phases) {
   const double level = grown * *std::ranges::max_element(total);
   const Rows first_period = rows_between(t, t.front(), t.front() + period);
   if (total[first_period.end - 1] >= level) {
     phases.notes.emplace_back(
-        "I_end: the run starts with half of its largest amplitude or more, and has no phase of "
-        "growth");
+        "I_end: the run has half of its largest amplitude or more within its first period, and no "
+        "phase of growth");
     return;
   }
-  const bool is_grown = has_stopped_growing(t, total);
-  const bool starts_with_waves = largest_at(envelopes, first_period.begin) > 0;
-  for (std::size_t row = first_period.end; row < t.size() && !phases.I_end; ++row)
-    if ((is_grown && total[row] >= level) ||
-        (starts_with_waves && envelopes[0][row] >= two_d_share * largest_but_first(envelopes, row)))
-      phases.I_end = t[row];
-  if (!phases.I_end)
+  if (!has_stopped_growing(t, total)) {
     phases.notes.emplace_back("I_end: the amplitude still grows at the end of the run");
+    return;
+  }
+  const auto reached = std::ranges::find_if(total, [&](double e) { return e >= level; });
+  phases.I_end = t[static_cast<std::size_t>(reached - total.begin())];
 }
 
 // The first row of the end of the run in which all rows satisfy a condition.
@@ -116,7 +108,7 @@ Phases find_phases(const std::vector<double>& t, const std::vector<std::vector<d
                     total.back()));
     return phases;
   }
-  find_first_end(t, envelopes, total, period, phases);
+  find_first_end(t, total, period, phases);
   find_second_end(t, envelopes, total, phases);
   return phases;
 }

@@ -1,16 +1,15 @@
 /// The three phases of a run (section 5.1 of the paper), told from the spanwise amplitudes of the
 /// trailing edge. With e_n the envelope of |zeta_n| over one period and e = (sum e_n^2)^(1/2):
 ///
-/// Phase I, growth, ends at the earlier of the times when
-///     - e reaches half its largest value, if it stops growing (within 10 %) before the last fifth
-///     of
-///       the run: there Stuart's and Landau's growth rate is 3/4 of the linear one;
-///     - in a run in which e_0 is not the largest at first, e_0 reaches half of the largest e_n:
-///       the two-dimensional mode has grown.
+/// Phase I, growth, ends when e reaches half its largest value, if it stops growing (within 10 %)
+/// before the last fifth of the run: there Stuart's and Landau's growth rate is 3/4 of the linear
+/// one. (The paper lets phase II begin with the two-dimensional mode, which grows once the waves
+/// that a run started with are large.)
+///
 /// Phase II, interaction, ends when a single mode rules for good: from then to the end of the run
 ///     - the mode that is largest at the end holds 90 % of e^2;
 ///     - e stays within 10 % of its mean over the last fifth of the run.
-/// In two dimensions only the conditions on e apply.
+/// In two dimensions there is one mode, and only e counts.
 #pragma once
 
 #include <optional>

@@ -17,8 +17,9 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 // Of a window: samples of a fit, rows it must hold, periods it must span.
-constexpr std::size_t most_samples = 160, fewest_rows_of_window = 16;
+constexpr std::size_t most_samples = 128, fewest_rows_of_window = 16;
 constexpr double fewest_periods = 2;
+constexpr std::array<std::size_t, 4> exponentials = {2, 4, 8, 12};
 // Displacements within which a flag is sought to be linear, in L; with the amplitude of a limit
 // cycle near 0.14 L, Stuart's and Landau's growth rate at these is 18, 5 and 0.5 % below the
 // linear.
@@ -67,14 +68,26 @@ std::optional<Leading> leading_of(const std::vector<Exponential>& all, double le
   return Leading{leading->lambda, amplitude, own / total};
 }
 
+Complexes without_growth(Complexes samples, double growth_of_step) {
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    samples[k] *= std::exp(-growth_of_step * static_cast<double>(k));
+  return samples;
+}
+
 std::optional<Leading> fit(const std::vector<double>& t, const Complexes& signal, double from,
-                           double to) {
+                           double to, std::size_t most) {
   const Rows rows = rows_between(t, from, to);
   if (rows.end < rows.begin + fewest_rows_of_window) return std::nullopt;
   const std::size_t count = std::min(most_samples, rows.end - rows.begin);
   const Complexes samples = at_times(t, signal, equal_times(from, to, count));
-  return leading_of(fit_exponentials(samples, (to - from) / static_cast<double>(count - 1)),
-                    to - from);
+  const double dt = (to - from) / static_cast<double>(count - 1);
+  std::optional<Leading> leading = leading_of(fit_exponentials(samples, dt, most), to - from);
+  if (!leading) return leading;
+  // Once more, without the growth found: else the last e-folding alone would decide.
+  const double sigma = leading->lambda.real();
+  leading = leading_of(fit_exponentials(without_growth(samples, sigma * dt), dt, most), to - from);
+  if (leading) leading->lambda += sigma;
+  return leading;
 }
 
 double spread(const Growth& growth) {
@@ -141,7 +154,7 @@ void add_candidates(const RunHistory& run, const std::vector<Complexes>& compone
       if (first >= last) continue;
       const std::size_t wave = leading_wave(run.t, components, (from + to) / 2, to);
       if (const auto growth = fit_growth(run.t, components[wave], from, to))
-        if (growth->share >= least_share) candidates.push_back({*growth, wave});
+        candidates.push_back({*growth, wave});
     }
 }
 
@@ -175,12 +188,11 @@ LinearPhase in_given_window(const RunHistory& run, const std::vector<Complexes>&
   return phase;
 }
 
-}  // namespace
-
 std::optional<Growth> fit_growth(const std::vector<double>& t, const Complexes& signal, double from,
-                                 double to) {
-  const std::optional<Leading> whole = fit(t, signal, from, to);
-  if (!whole || std::abs(whole->lambda.imag()) * (to - from) < fewest_periods * two_pi)
+                                 double to, std::size_t most) {
+  const std::optional<Leading> whole = fit(t, signal, from, to, most);
+  if (!whole || whole->share < least_share ||
+      std::abs(whole->lambda.imag()) * (to - from) < fewest_periods * two_pi)
     return std::nullopt;
   Growth growth;
   growth.sigma = whole->lambda.real();
@@ -191,13 +203,24 @@ std::optional<Growth> fit_growth(const std::vector<double>& t, const Complexes& 
   growth.share = whole->share;
   const double third = (to - from) / 3;
   for (const double shift : {0.0, 0.5, 1.0}) {
-    const auto part = fit(t, signal, from + shift * third, from + (shift + 2) * third);
+    const auto part = fit(t, signal, from + shift * third, from + (shift + 2) * third, most);
     if (!part) return std::nullopt;
     growth.sigma_error = std::max(growth.sigma_error, std::abs(part->lambda.real() - growth.sigma));
     growth.omega_error =
         std::max(growth.omega_error, std::abs(std::abs(part->lambda.imag()) - growth.omega));
   }
   return growth;
+}
+
+}  // namespace
+
+std::optional<Growth> fit_growth(const std::vector<double>& t, const Complexes& signal, double from,
+                                 double to) {
+  std::optional<Growth> best;
+  for (const std::size_t most : exponentials)
+    if (const auto growth = fit_growth(t, signal, from, to, most))
+      if (!best || spread(*growth) < spread(*best)) best = growth;
+  return best;
 }
 
 LinearPhase find_linear_phase(const RunHistory& run, const std::vector<Complexes>& components,

@@ -30,7 +30,8 @@ struct Growth {
   double share = 0;
 };
 
-/// The fit in one window; none if the window has fewer than two periods or 16 rows.
+/// The fit in one window; none if the window has fewer than two periods or 16 rows, or no mode
+/// holds half of the energy of its later half.
 std::optional<Growth> fit_growth(const std::vector<double>& t, const Complexes& signal, double from,
                                  double to);
 

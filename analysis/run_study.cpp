@@ -165,7 +165,9 @@ nlohmann::ordered_json to_json(const RunAnalysis& found) {
           {"phases",
            {{"I_end", or_null(found.phases.I_end)}, {"II_end", or_null(found.phases.II_end)}}},
           {"energy",
-           {{"residual", found.energy.residual}, {"exchange", found.energy.residual_exchange}}},
+           {{"residual", found.energy.residual},
+            {"exchange", found.energy.residual_exchange},
+            {"residual_per_time", found.energy.residual_per_time}}},
           {"notes", found.notes()}};
 }
 
@@ -188,8 +190,9 @@ std::string text_of(const RunAnalysis& found) {
                       found.phases.ruling);
   return text + fmt::format(
                     "  energy: defect at most {:.2g} of the largest kinetic energy, of that {:.2g} "
-                    "between flag and fluid\n",
-                    found.energy.residual, found.energy.residual_exchange);
+                    "between flag and fluid; in one L/V at most {:.2g} of the energy\n",
+                    found.energy.residual, found.energy.residual_exchange,
+                    found.energy.residual_per_time);
 }
 
 void write_tables(const RunAnalysis& found, const OutputFolder& folder) {

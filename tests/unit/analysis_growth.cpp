@@ -35,7 +35,7 @@ TEST(Exponentials, AreFoundToRoundoff) {
                                         {{0.3, -5.5}, {1, -0.5}},
                                         {{-1.5, 9}, {0.2, 0}},
                                         {{-0.1, 0}, {0.05, 0}}};
-  std::vector<Exponential> found = fit_exponentials(samples_of(sum, 120, 0.05), 0.05);
+  std::vector<Exponential> found = fit_exponentials(samples_of(sum, 120, 0.05), 0.05, 12);
   ASSERT_EQ(found.size(), sum.size());
   for (const Exponential& e : sum) {
     const auto same = std::ranges::min_element(
@@ -46,14 +46,14 @@ TEST(Exponentials, AreFoundToRoundoff) {
 }
 
 TEST(Exponentials, AreNoneInASignalThatIsZero) {
-  EXPECT_THAT(fit_exponentials(Complexes(30, 0.0), 0.1), IsEmpty());
+  EXPECT_THAT(fit_exponentials(Complexes(30, 0.0), 0.1, 12), IsEmpty());
 }
 
 TEST(Exponentials, AreTwoInASinusoidUnderNoise) {
   test::Noise noise(0.01);
   Complexes samples = samples_of({{{0, 6}, 0.5}, {{0, -6}, 0.5}}, 160, 0.06);
   for (auto& sample : samples) sample += noise();
-  const std::vector<Exponential> found = fit_exponentials(samples, 0.06);
+  const std::vector<Exponential> found = fit_exponentials(samples, 0.06, 12);
   ASSERT_EQ(found.size(), 2U);
   // The error of a frequency in white noise, sqrt(6) noise/(amplitude dt N^(3/2)): 0.0002.
   EXPECT_NEAR(std::abs(found[0].lambda.imag()), 6, 0.002);

@@ -248,23 +248,30 @@ TEST(Phases, InTwoDimensionsAreGrowthAndSaturation) {
   EXPECT_EQ(found.ruling, 0U);
 }
 
-TEST(Phases, OfAStandingWaveEndWithTheTwoDimensionalMode) {
+TEST(Phases, OfAStandingWaveAreItsGrowthAndItsLossToTheTwoDimensionalMode) {
   const std::vector<double> t = unequal_times(40, 0.02);
-  // The wave saturates at once, at t = 20 the two-dimensional mode has replaced it.
-  const auto share = [](double s) { return 1 / (1 + std::exp(-(s - 20))); };
-  const Phases found = find_phases(
-      t,
-      {swinging(t, [&](double s) { return 0.14 * std::sqrt(share(s)); }),
-       swinging(t,
-                [&](double s) {
-                  return 0.14 * std::sqrt(1 - share(s)) * std::min(1.0, 0.02 * std::exp(s / 10));
-                })},
-      1 / f);
-  // Half the amplitude of the wave at share/(1 - share) = 1/4 x that of the wave's growth.
+  const auto share = [](double s) { return 1 / (1 + std::exp(-(s - 20))); };  // of n = 0
+  const auto size = [](double s) { return saturating(s, 1e-3, 0.14, 1); };
+  const Phases found =
+      find_phases(t,
+                  {swinging(t, [&](double s) { return size(s) * std::sqrt(share(s)); }),
+                   swinging(t, [&](double s) { return size(s) * std::sqrt(1 - share(s)); })},
+                  1 / f);
+  const double c = std::pow(140, 2) - 1;
   ASSERT_TRUE(found.I_end && found.II_end);
-  EXPECT_LT(*found.I_end, 20);
-  EXPECT_NEAR(*found.II_end, 20 + std::log(9.0), 1);
+  EXPECT_NEAR(*found.I_end, std::log(c / 3) / 2, 0.5 / f);
+  EXPECT_NEAR(*found.II_end, 20 + std::log(9.0), 0.5 / f);
   EXPECT_EQ(found.ruling, 0U);
+}
+
+TEST(Phases, DoNotReachTheThirdWithTwoModes) {
+  const std::vector<double> t = unequal_times(40, 0.02);
+  const auto size = [](double s) { return saturating(s, 1e-3, 0.1, 1); };
+  const Phases found = find_phases(
+      t, {swinging(t, size), swinging(t, [&](double s) { return 0.7 * size(s); })}, 1 / f);
+  EXPECT_TRUE(found.I_end);
+  EXPECT_FALSE(found.II_end);
+  EXPECT_THAT(found.notes, Contains(HasSubstr("does not hold 90 %")));
 }
 
 TEST(Phases, DoNotEndInARunThatStillGrows) {
@@ -290,7 +297,7 @@ TEST(Phases, HaveNoGrowthInARunThatStartsLarge) {
   const std::vector<double> t = unequal_times(20, 0.02);
   const Phases found = find_phases(t, {swinging(t, [](double) { return 0.14; })}, 1 / f);
   EXPECT_FALSE(found.I_end);
-  EXPECT_THAT(found.notes, Contains(HasSubstr("no phase of growth")));
+  EXPECT_THAT(found.notes, Contains(HasSubstr("I_end: the run has half")));
 }
 
 }  // namespace
