@@ -23,7 +23,7 @@ const char* const energy_unit = " / {/:Italic ρ_f V}^{ 2}{/:Italic L}^{ 2}";
 
 Figure over_time(const RunAnalysis& found, std::string label) {
   Figure figure;
-  figure.x = {time_label, false, found.run.t.front(), found.run.t.back()};
+  figure.x = {time_label, false, std::min(0.0, found.run.t.front()), found.run.t.back()};
   figure.y.label = std::move(label);
   return figure;
 }

@@ -19,7 +19,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 // Of a window: samples of a fit, rows it must hold, periods it must span.
 constexpr std::size_t most_samples = 128, fewest_rows_of_window = 16;
 constexpr double fewest_periods = 2;
-constexpr std::array<std::size_t, 4> exponentials = {2, 4, 8, 12};
+constexpr std::array<std::size_t, 3> exponentials = {2, 4, 12};
 // Displacements within which a flag is sought to be linear, in L; with the amplitude of a limit
 // cycle near 0.14 L, Stuart's and Landau's growth rate at these is 18, 5 and 0.5 % below the
 // linear.
