@@ -98,12 +98,13 @@ double size(const Growth& growth) {
   return std::hypot(growth.sigma, growth.omega);
 }
 
-// The longest stretch in which no station is further from z = 0 than `limit`.
+// The longest stretch from `start` on in which no station is further from z = 0 than `limit`.
 std::array<double, 2> longest_stretch(const std::vector<double>& t,
-                                      const std::vector<double>& displacement, double limit) {
-  std::array<double, 2> longest = {t.front(), t.front()};
+                                      const std::vector<double>& displacement, double limit,
+                                      double start) {
+  std::array<double, 2> longest = {start, start};
   std::optional<double> begin;
-  for (std::size_t row = 0; row < t.size(); ++row) {
+  for (std::size_t row = rows_between(t, start, start).begin; row < t.size(); ++row) {
     if (displacement[row] > limit) {
       begin.reset();
       continue;
@@ -224,7 +225,7 @@ std::optional<Growth> fit_growth(const std::vector<double>& t, const Complexes& 
 }
 
 LinearPhase find_linear_phase(const RunHistory& run, const std::vector<Complexes>& components,
-                              const Settings& settings) {
+                              const Settings& settings, double start) {
   if (settings.from || settings.to)
     return in_given_window(run, components, settings.from.value_or(run.t.front()),
                            settings.to.value_or(run.t.back()));
@@ -232,7 +233,7 @@ LinearPhase find_linear_phase(const RunHistory& run, const std::vector<Complexes
   std::vector<Candidate> candidates;
   std::array<double, 2> before = {0, 0};
   for (const double limit : linear_amplitudes) {
-    const std::array<double, 2> stretch = longest_stretch(run.t, displacement, limit);
+    const std::array<double, 2> stretch = longest_stretch(run.t, displacement, limit, start);
     if (stretch == before) continue;
     add_candidates(run, components, stretch, candidates);
     before = stretch;

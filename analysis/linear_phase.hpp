@@ -41,8 +41,9 @@ struct LinearPhase {
   std::string note;      ///< why there is none, or what to mind; a sentence, or empty
 };
 
-/// `components` as spanwise_components() gives them.
+/// `components` as spanwise_components() gives them; `start`: when the flag begins to move by
+/// itself, before which no window is sought.
 LinearPhase find_linear_phase(const RunHistory&, const std::vector<Complexes>& components,
-                              const Settings&);
+                              const Settings&, double start);
 
 }  // namespace pennon::analysis

@@ -141,21 +141,23 @@ std::vector<std::string> RunAnalysis::notes() const {
   return all;
 }
 
-RunAnalysis analyze_run(const std::filesystem::path& folder, const Settings& settings, double U,
-                        double kick_end) {
+RunAnalysis analyze_run(const std::filesystem::path& folder, const Settings& settings,
+                        const RunContext& context) {
   RunAnalysis found;
   found.run = read_run_history(folder);
   check_window(found.run, settings);
   found.components = spanwise_components(found.run.z);
-  found.linear = find_linear_phase(found.run, found.components, settings);
+  found.linear = find_linear_phase(found.run, found.components, settings,
+                                   std::max(context.release, context.kick_end));
   found.limit_cycle = find_limit_cycle(found.run, settings);
   if (found.limit_cycle.cycle)
-    found.angles = find_angles(found.run, found.components, *found.limit_cycle.cycle, U, folder);
+    found.angles =
+        find_angles(found.run, found.components, *found.limit_cycle.cycle, context.U, folder);
   else
     found.angles.notes.emplace_back("theta_s, theta_v: angles are those of a limit cycle");
   found.phases = find_phases(found.run.t, moduli(found.components),
                              period_of(found.limit_cycle, found.linear));
-  found.energy = energy_budget(found.run, U, kick_end);
+  found.energy = energy_budget(found.run, context.U, context.kick_end);
   return found;
 }
 

@@ -31,10 +31,16 @@ struct RunAnalysis {
   std::vector<std::string> notes() const;
 };
 
-/// `kick_end`: see energy_budget(). Throws InputError as read_run_history(), and where the window
+/// What the analysis takes from the case, beside its settings.
+struct RunContext {
+  double U = 0;         ///< cross-flow
+  double release = 0;   ///< until when the flag is held where it starts
+  double kick_end = 0;  ///< when the kick after it is over; 0 without one
+};
+
+/// Throws InputError as read_run_history(), and where the window
 /// of the settings does not lie in the run.
-RunAnalysis analyze_run(const std::filesystem::path& folder, const Settings&, double U,
-                        double kick_end);
+RunAnalysis analyze_run(const std::filesystem::path& folder, const Settings&, const RunContext&);
 
 /// The object of the key "analyze".
 nlohmann::ordered_json to_json(const RunAnalysis&);

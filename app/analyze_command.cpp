@@ -15,9 +15,10 @@ analysis::Settings settings_of(const Case& the_case, const AnalyzeOptions& optio
   return settings;
 }
 
-double kick_end(const Case& the_case) {
+analysis::RunContext context_of(const Case& the_case) {
   const dns::InitialSettings& initial = the_case.dns.initial;
-  return initial.kick == 0 ? 0 : initial.kick_duration;
+  return {the_case.flow.U, initial.release,
+          initial.kick == 0 ? 0 : initial.release + initial.kick_duration};
 }
 
 void print(const analysis::RunAnalysis& found, const AnalyzeOptions& options,
@@ -41,8 +42,7 @@ void run_analyze(const AnalyzeOptions& options) {
   const Case the_case(run / "case.resolved.toml", {}, false);
   const analysis::RunAnalysis found = [&] {
     const auto timer = record.time("analyze");
-    return analysis::analyze_run(run, settings_of(the_case, options), the_case.flow.U,
-                                 kick_end(the_case));
+    return analysis::analyze_run(run, settings_of(the_case, options), context_of(the_case));
   }();
   const OutputFolder folder(options.output.empty() ? run / "analysis"
                                                    : std::filesystem::path(options.output));

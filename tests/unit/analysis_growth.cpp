@@ -18,8 +18,8 @@ using test::unequal_times;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-LinearPhase growth_of(const RunHistory& run, const Settings& settings = {}) {
-  return find_linear_phase(run, spanwise_components(run.z), settings);
+LinearPhase growth_of(const RunHistory& run, const Settings& settings = {}, double start = 0) {
+  return find_linear_phase(run, spanwise_components(run.z), settings, start);
 }
 
 Complexes samples_of(const std::vector<Exponential>& sum, std::size_t count, double dt) {
@@ -152,6 +152,17 @@ TEST(Growth, IsTakenInTheWindowThatTheUserGives) {
   EXPECT_NEAR(found.growth->sigma, -0.1, 1e-3);
   EXPECT_EQ(found.growth->from, 9);
   EXPECT_EQ(found.growth->to, 15);
+}
+
+TEST(Growth, IsSoughtAfterTheFlagIsReleased) {
+  const RunHistory run = synthetic_run(unequal_times(14, 0.02), 1, 1, [](double, double t) {
+    return t < 4 ? 1e-3 : growing(t - 4, 1e-3 / std::cos(0.4), 0.35, 5.4);
+  });
+  const LinearPhase found = growth_of(run, {}, 4);
+  ASSERT_TRUE(found.growth) << found.note;
+  EXPECT_GE(found.growth->from, 4);
+  EXPECT_NEAR(found.growth->sigma, 0.35, 1e-3);
+  EXPECT_NEAR(found.growth->omega, 5.4, 1e-3);
 }
 
 TEST(Growth, IsNotToldOfARunThatNeverIsSmall) {
