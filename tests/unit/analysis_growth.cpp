@@ -173,6 +173,13 @@ TEST(Growth, IsNotToldOfARunThatNeverIsSmall) {
   EXPECT_THAT(found.note, HasSubstr("--from"));
 }
 
+TEST(Growth, IsNotToldOfThreeModesOfWhichNoneLeads) {
+  const RunHistory run = synthetic_run(unequal_times(16, 0.02), 1, 1, [](double, double t) {
+    return 0.01 * (std::cos(4 * t) + std::cos(5.5 * t) + std::cos(7.3 * t));
+  });
+  EXPECT_FALSE(growth_of(run).growth);
+}
+
 TEST(Growth, IsNotToldOfNoise) {
   test::Noise noise(1e-3);
   const RunHistory run =

@@ -56,6 +56,16 @@ TEST(LimitCycle, IsFoundUnderNoise) {
   EXPECT_NEAR(found.cycle->f_s, f, 0.002);
 }
 
+TEST(LimitCycle, CountsAPassageOnceUnderARipple) {
+  const double w = two_pi * f;
+  const RunHistory run = synthetic_run(unequal_times(22, 0.005), 1, 1, [&](double, double t) {
+    return 0.1 * std::sin(w * t) + 0.012 * std::sin(17 * w * t);  // falls where the wave rises
+  });
+  const LimitCycleResult found = find_limit_cycle(run, {});
+  ASSERT_TRUE(found.cycle);
+  EXPECT_NEAR(found.cycle->f_s, f, 1e-3);
+}
+
 TEST(LimitCycle, TakesAsManyPeriodsAsAskedFor) {
   Settings settings;
   settings.periods = 9;
@@ -163,10 +173,10 @@ TEST_P(ObliqueAngles, AreThoseOfTheCrests) {
   // theta = 20 degrees on the flag, and of a wake carried by the stream.
   const double k_x = two_pi / 2, direction = GetParam();
   const double k_flag = k_x / std::tan(20 * std::numbers::pi / 180);
-  const double k_wake = two_pi * f - direction * k_x * 0.25;
+  const double U = 0.75, k_wake = two_pi * f - direction * k_x * U;
   ObliqueRun made;
   make_oblique({2, k_flag, direction}, {2, k_wake, direction}, made);
-  const Angles found = made.angles();
+  const Angles found = made.angles(U);
   ASSERT_TRUE(found.theta_s_deg && found.theta_v_deg);
   EXPECT_THAT(found.notes, IsEmpty());
   EXPECT_NEAR(*found.theta_s_deg, 20, 0.1);
