@@ -28,8 +28,8 @@ constexpr std::array<double, 5> first_shares = {0, 0.15, 0.3, 0.45, 0.6};
 constexpr std::array<double, 3> last_shares = {1, 0.8, 0.6};
 // Fits that differ by less agree; beyond the other they contradict each other. Shares of |lambda|.
 constexpr double agreement = 0.005, contradiction = 0.1;
-// Below this share of its energy the leading mode is one of several.
-constexpr double least_share = 0.5;
+// With less of the energy the leading mode is one of several.
+constexpr double least_share = 0.8;
 
 struct Leading {
   std::complex<double> lambda;
@@ -44,28 +44,39 @@ double energy(const Exponential& e, double a, double b) {
   return std::norm(e.amplitude) * integral;
 }
 
-// A mode of a real signal comes as a pair of conjugates: both count.
-std::optional<Leading> leading_of(const std::vector<Exponential>& all, double length) {
-  double total = 0, most = 0;
+// The energy of the samples in the later half of their time.
+double energy_of_later_half(const Complexes& samples, double dt) {
+  double sum = 0;
+  for (std::size_t k = samples.size() / 2; k < samples.size(); ++k) sum += std::norm(samples[k]);
+  return sum * dt;
+}
+
+// Of two exponentials that differ by the sign of their frequency at most: a mode of a real signal.
+bool is_same_mode(const Exponential& e, const std::complex<double>& lambda) {
+  return std::min(std::abs(e.lambda - lambda), std::abs(e.lambda - std::conj(lambda))) <
+         agreement * std::abs(lambda);
+}
+
+std::optional<Leading> leading_of(const Complexes& samples, double dt, std::size_t most) {
+  const double length = dt * static_cast<double>(samples.size() - 1);
+  const std::vector<Exponential> all = fit_exponentials(samples, dt, most);
+  double largest = 0;
   std::optional<Exponential> leading;
   for (const Exponential& e : all) {
     const double own = energy(e, length / 2, length);
-    if (!std::isfinite(own)) continue;
-    total += own;
-    if (std::abs(e.lambda.imag()) * length < fewest_periods * two_pi / 2 || own <= most) continue;
-    most = own;
+    const bool swings = std::abs(e.lambda.imag()) * length >= fewest_periods * two_pi / 2;
+    if (!std::isfinite(own) || !swings || own <= largest) continue;
+    largest = own;
     leading = e;
   }
   if (!leading) return std::nullopt;
-  double own = 0, amplitude = 0;
-  for (const Exponential& e : all)
-    for (const double sign : {1.0, -1.0})
-      if (std::abs(e.lambda - std::complex(leading->lambda.real(), sign * leading->lambda.imag())) <
-          agreement * std::abs(leading->lambda)) {
-        own += energy(e, length / 2, length);
-        amplitude += std::abs(e.amplitude);
-      }
-  return Leading{leading->lambda, amplitude, own / total};
+  Leading mode{leading->lambda};
+  for (const Exponential& e : all) {
+    if (!is_same_mode(e, leading->lambda)) continue;
+    mode.share += energy(e, length / 2, length) / energy_of_later_half(samples, dt);
+    mode.amplitude += std::abs(e.amplitude);
+  }
+  return mode;
 }
 
 Complexes without_growth(Complexes samples, double growth_of_step) {
@@ -81,11 +92,11 @@ std::optional<Leading> fit(const std::vector<double>& t, const Complexes& signal
   const std::size_t count = std::min(most_samples, rows.end - rows.begin);
   const Complexes samples = at_times(t, signal, equal_times(from, to, count));
   const double dt = (to - from) / static_cast<double>(count - 1);
-  std::optional<Leading> leading = leading_of(fit_exponentials(samples, dt, most), to - from);
+  std::optional<Leading> leading = leading_of(samples, dt, most);
   if (!leading) return leading;
   // Once more, without the growth found: else the last e-folding alone would decide.
   const double sigma = leading->lambda.real();
-  leading = leading_of(fit_exponentials(without_growth(samples, sigma * dt), dt, most), to - from);
+  leading = leading_of(without_growth(samples, sigma * dt), dt, most);
   if (leading) leading->lambda += sigma;
   return leading;
 }

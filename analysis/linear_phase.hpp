@@ -26,7 +26,7 @@ struct Growth {
   double sigma_error = 0, omega_error = 0;
   double from = 0, to = 0;
   double amplitude = 0;  ///< of the leading mode at `from`, in L
-  /// The share of the leading mode in the energy of the later half, of all modes by themselves.
+  /// The leading mode's own energy over that of the signal, in the later half without the growth.
   double share = 0;
 };
 
