@@ -97,6 +97,7 @@ void find_second_end(const std::vector<double>& t,
 Phases find_phases(const std::vector<double>& t, const std::vector<std::vector<double>>& amplitudes,
                    double period) {
   std::vector<std::vector<double>> envelopes;
+  envelopes.reserve(amplitudes.size());
   for (const std::vector<double>& amplitude : amplitudes)
     envelopes.push_back(envelope(t, amplitude, period));
   const std::vector<double> total = total_of(envelopes);

@@ -180,6 +180,15 @@ TEST(Growth, IsNotToldOfThreeModesOfWhichNoneLeads) {
   EXPECT_FALSE(growth_of(run).growth);
 }
 
+TEST(Growth, IsNotToldWhereTheFrequencyKeepsRising) {
+  const RunHistory run = synthetic_run(unequal_times(8, 0.01), 1, 1, [](double, double t) {
+    return 0.005 * std::cos(2 * std::exp(0.6 * t));
+  });
+  const LinearPhase found = growth_of(run);
+  EXPECT_FALSE(found.growth);
+  EXPECT_THAT(found.note, HasSubstr("no window with a single exponential"));
+}
+
 TEST(Growth, IsNotToldOfNoise) {
   test::Noise noise(1e-3);
   const RunHistory run =
