@@ -31,7 +31,7 @@ struct Growth {
 };
 
 /// The fit in one window; none if the window has fewer than two periods or 16 rows, or no mode
-/// holds half of the energy of its later half.
+/// holds four fifths of the energy of its later half.
 std::optional<Growth> fit_growth(const std::vector<double>& t, const Complexes& signal, double from,
                                  double to);
 

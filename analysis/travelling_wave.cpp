@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "analysis/series.hpp"
+#include "common/errors.hpp"
 #include "common/hdf5.hpp"
 
 namespace pennon::analysis {
@@ -58,14 +59,18 @@ struct ShapeWaves {
 };
 
 ShapeWaves read_shapes(const std::filesystem::path& file_name, const LimitCycle& cycle,
-                       std::size_t n) {
+                       std::size_t n, std::size_t stations) {
   const hdf5::Reader file(file_name);
   const std::vector<double> all = file.read("/shape_times").values;
   ShapeWaves waves;
   for (std::size_t s = 0; s < all.size(); ++s) {
     if (all[s] < cycle.from || all[s] > cycle.to) continue;
     const hdf5::Array nodes = file.read(fmt::format("/position/{:06}", s));
-    const std::size_t stations = nodes.shape[0] - 1, chord = nodes.shape[1];
+    if (nodes.shape.size() != 3 || nodes.shape[0] != stations + 1)
+      throw InputError(
+          file_name.string(),
+          fmt::format("has shapes of another span than the {} stations of history.h5", stations));
+    const std::size_t chord = nodes.shape[1];
     const auto first = static_cast<std::size_t>((1 - chord_share) * static_cast<double>(chord - 1));
     waves.y.resize(chord - first, 0.0);
     waves.components.resize(chord - first);
@@ -84,7 +89,7 @@ ShapeWaves read_shapes(const std::filesystem::path& file_name, const LimitCycle&
   return waves;
 }
 
-void find_on_flag(const LimitCycle& cycle, double k_x, std::size_t n,
+void find_on_flag(const RunHistory& run, const LimitCycle& cycle, double k_x, std::size_t n,
                   const std::filesystem::path& folder, Angles& angles) {
   if (!std::filesystem::is_regular_file(folder / "shapes.h5")) {
     angles.notes.emplace_back(
@@ -92,7 +97,7 @@ void find_on_flag(const LimitCycle& cycle, double k_x, std::size_t n,
         "dns.output.shape_interval");
     return;
   }
-  const ShapeWaves waves = read_shapes(folder / "shapes.h5", cycle, n);
+  const ShapeWaves waves = read_shapes(folder / "shapes.h5", cycle, n, run.planes());
   const double periods = (cycle.to - cycle.from) * cycle.f_s;
   if (static_cast<double>(waves.t.size()) < fewest_shapes_a_period * periods) {
     angles.notes.push_back(
@@ -202,7 +207,7 @@ Angles find_angles(const RunHistory& run, const std::vector<Complexes>& componen
     return angles;
   }
   const double k_x = two_pi * static_cast<double>(n) / run.span;
-  find_on_flag(cycle, k_x, n, folder, angles);
+  find_on_flag(run, cycle, k_x, n, folder, angles);
   find_in_wake(run, cycle, k_x, n, U, angles);
   return angles;
 }

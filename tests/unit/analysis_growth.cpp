@@ -206,6 +206,7 @@ TEST(Series, SplineIsOfFourthOrderOnUnequalRows) {
   const auto error = [](double dt) {
     const std::vector<double> t = unequal_times(6, dt);
     std::vector<double> values;
+    values.reserve(t.size());
     for (const double time : t) values.push_back(std::sin(2 * time));
     double largest = 0;
     for (const double time : equal_times(2, 4, 500))

@@ -9,6 +9,8 @@
 #include "analysis/flapping_phases.hpp"
 #include "analysis/series.hpp"
 #include "analysis/travelling_wave.hpp"
+#include "common/errors.hpp"
+#include "tests/support/failure.hpp"
 #include "tests/support/synthetic_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -206,6 +208,15 @@ TEST(TravellingWave, WithFewShapesHasNoAngle) {
   EXPECT_THAT(made.angles().notes, Contains(HasSubstr("shapes in 5 periods")));
 }
 
+TEST(TravellingWave, IsNotTakenFromShapesOfAnotherFlag) {
+  ObliqueRun made;
+  make_oblique({2, 6, 1}, {2, 6, 1}, made);
+  test::write_shapes(
+      equal_times(0, 20, 201), 2, 4, 21, [](double, double, double) { return 0.0; },
+      made.folder / "shapes.h5");
+  EXPECT_THAT(test::failure_of<InputError>([&] { made.angles(); }), HasSubstr("another span"));
+}
+
 TEST(TravellingWave, IsNoneWhereTheWaveStands) {
   ObliqueRun made;
   made.run = synthetic_run(unequal_times(20, 0.02), 2, 8, [](double x, double t) {
@@ -236,6 +247,7 @@ TEST(SpanwiseComponents, AreThoseOfTheirWaves) {
 std::vector<double> swinging(const std::vector<double>& t,
                              const std::function<double(double)>& amplitude) {
   std::vector<double> values;
+  values.reserve(t.size());
   for (const double time : t)
     values.push_back(amplitude(time) * std::abs(std::cos(two_pi * f * time)));
   return values;
