@@ -68,8 +68,9 @@ std::string text_of(const dns::RunResult& result) {
 std::string text_of(const dns::FluidRunResult& result) {
   const auto last = [&](const char* name) {
     const auto& columns = dns::columns_of_fluid_history();
-    const auto* found = std::ranges::find_if(
-        columns, [&](const dns::FluidColumn& column) { return column.name == std::string(name); });
+    const auto* found = std::ranges::find_if(columns, [&](const dns::HistoryColumn& column) {
+      return column.name == std::string(name);
+    });
     return result.last[static_cast<std::size_t>(found - columns.begin())];
   };
   std::string text = fmt::format(

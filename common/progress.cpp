@@ -35,21 +35,22 @@ Progress::~Progress() {
   if (has_drawn_ && is_terminal_) fmt::print(stderr, "\r\033[K");
 }
 
-void Progress::advance_to(std::int64_t done) {
+void Progress::advance_to(std::int64_t done, const std::function<std::string()>& detail) {
   if (!is_shown_ || total_ <= 0) return;
   const auto now = Clock::now();
   if (now - begin_ < quiet_for) return;
   if (now - last_shown_ < (is_terminal_ ? Clock::duration(terminal_interval) : log_interval))
     return;
-  show(done, now);
+  show(done, now, detail ? ", " + detail() : "");
 }
 
-void Progress::show(std::int64_t done, Clock::time_point now) {
+void Progress::show(std::int64_t done, Clock::time_point now, const std::string& detail) {
   const double fraction =
       std::clamp(static_cast<double>(done) / static_cast<double>(total_), 0.0, 1.0);
   const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  const double done_now = fraction - static_cast<double>(begun_at_) / static_cast<double>(total_);
   const std::string left =
-      fraction > 0 ? duration(elapsed * (1 - fraction) / fraction) + " left" : "";
+      (done_now > 0 ? duration(elapsed * (1 - fraction) / done_now) + " left" : "") + detail;
   if (is_terminal_) {
     const int filled = static_cast<int>(bar_width * fraction);
     fmt::print(stderr, "\r\033[K{} [{:=<{}}{: <{}}] {:3.0f} %  {}", what_, "", filled, "",

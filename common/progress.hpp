@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace pennon {
@@ -15,14 +16,18 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void advance_to(std::int64_t done);
+  /// `detail`, where there is one, gives what to say beside the time left; it is called when there
+  /// is something to show.
+  void advance_to(std::int64_t done, const std::function<std::string()>& detail = {});
+  /// Work that goes on where `done` was reached before: the time left is told from what is done now.
+  void begin_at(std::int64_t done) { begun_at_ = done; }
 
  private:
   using Clock = std::chrono::steady_clock;
-  void show(std::int64_t done, Clock::time_point now);
+  void show(std::int64_t done, Clock::time_point now, const std::string& detail);
 
   std::string what_;
-  std::int64_t total_;
+  std::int64_t total_, begun_at_ = 0;
   bool is_shown_;
   bool is_terminal_;
   bool has_drawn_ = false;

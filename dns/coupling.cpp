@@ -97,6 +97,14 @@ WallShape Coupling<dim>::wall_of(const NodeVectors<dim>& x) const {
   return wall;
 }
 
+template <int dim>
+NodeVectors<dim> Coupling<dim>::velocity_ahead(const CoupledState<dim>& state,
+                                               const BackwardDifference& D) const {
+  NodeVectors<dim> velocity = D.guess_last * state.flag.v;
+  if (D.guess_before != 0) velocity += D.guess_before * state.flag.previous_v;
+  return velocity;
+}
+
 // The wall at the end of the step: its velocity by backward differences is the flag's,
 // extrapolated.
 template <int dim>
@@ -105,8 +113,7 @@ WallShape Coupling<dim>::wall_ahead(const CoupledState<dim>& state,
   const Extent& extent = fluid_.extent();
   const WallShape flag = wall_of(state.flag.x);
   WallShape wall = flag;
-  NodeVectors<dim> velocity = D.guess_last * state.flag.v;
-  if (D.guess_before != 0) velocity += D.guess_before * state.flag.previous_v;
+  const NodeVectors<dim> velocity = velocity_ahead(state, D);
   for (int plane = 0; plane < extent.planes; ++plane)
     for (int i = 0; i < extent.n_theta; ++i) {
       const int j = std::abs(extent.n_theta / 2 - i);
@@ -233,6 +240,7 @@ template <int dim>
 CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   const BackwardDifference D(dt, state.fluid.previous_dt);
   CoupledStepSummary summary;
+  move_wall(velocity_ahead(state, D));  // along x, where the grid does not follow
   fluid_.begin_step(state.fluid, wall_ahead(state, D), dt);
   const NodeVectors<dim> fixed = fixed_forces();
   added_mass_.set_areas(areas());
@@ -240,13 +248,15 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   // An error of the positions is one of the jump, mass_factor (mu + added mass) times as large.
   constexpr double rounding = 1e-14;
   newton_.set_tolerance(std::max(0.05 * settings_.tolerance / equation_.mass_factor, rounding));
+  const double pressure_tolerance =
+      std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
   SegmentValues g = guessed_jump(state, D);
   x_ = state.flag.x + dt * state.flag.v;
   acceleration_.restart();
   for (summary.passes = 1;; ++summary.passes) {
     solve_flag(state, fixed, g, summary);
     move_wall(v_);
-    fluid_.solve_pressure(state.fluid, fluid_.tolerances().pressure);
+    fluid_.solve_pressure(state.fluid, pressure_tolerance);
     SegmentValues change;
     added_mass_.find_jump(a_, change);
     change += jump(state.fluid) - g;

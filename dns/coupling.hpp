@@ -63,6 +63,7 @@ class Coupling {
  private:
   int corner(int node) const { return grid_.n_theta() / 2 - node; }
   WallShape wall_of(const NodeVectors<dim>& x) const;
+  NodeVectors<dim> velocity_ahead(const CoupledState<dim>&, const BackwardDifference&) const;
   WallShape wall_ahead(const CoupledState<dim>&, const BackwardDifference&) const;
   NodeVectors<dim> areas() const;
   NodeVectors<dim> fixed_forces() const;

@@ -11,18 +11,6 @@
 namespace pennon::dns {
 namespace {
 
-hdf5::Attributes column_names() {
-  hdf5::Attributes attributes;
-  std::string names;
-  for (const HistoryColumn& column : columns_of_history()) {
-    if (!names.empty()) names += ',';
-    names += column.name;
-    attributes[column.name] = std::string(column.meaning);
-  }
-  attributes["columns"] = names;
-  return attributes;
-}
-
 std::vector<double> flattened(const std::vector<HistoryRow>& rows) {
   std::vector<double> values;
   for (const HistoryRow& row : rows) values.insert(values.end(), row.begin(), row.end());
@@ -31,7 +19,7 @@ std::vector<double> flattened(const std::vector<HistoryRow>& rows) {
 
 void write_rows(const FlagHistory& history, hdf5::Writer& file) {
   file.write("/history", {history.rows.size(), history_columns}, flattened(history.rows),
-             column_names());
+             attributes_of(columns_of_history()));
 }
 
 struct Quantity {
@@ -212,9 +200,8 @@ FlagShapes read_shapes(const hdf5::Reader& file) {
 
 void write_history(const FlagHistory& history, const std::vector<double>& contour_times,
                    const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  for (const HistoryColumn& column : columns_of_history()) names.emplace_back(column.name);
-  CsvText table("history of the flag; history.h5 says what each column is", names);
+  CsvText table("history of the flag; history.h5 says what each column is",
+                names_of(columns_of_history()));
   for (const HistoryRow& row : history.rows) table.row({row.begin(), row.end()});
   write_file(folder / "history.csv", table.text());
 

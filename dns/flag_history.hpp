@@ -7,13 +7,9 @@
 
 #include "common/hdf5.hpp"
 #include "dns/flag.hpp"
+#include "dns/history_columns.hpp"
 
 namespace pennon::dns {
-
-struct HistoryColumn {
-  const char* name;
-  const char* meaning;
-};
 
 inline constexpr std::size_t history_columns = 15;
 const std::array<HistoryColumn, history_columns>& columns_of_history();

@@ -55,7 +55,9 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
     ++summary.iterations;
     const double largest = change_.cwiseAbs().maxCoeff();
     if (!std::isfinite(largest)) return false;
-    if (largest <= settings_.tolerance) {
+    // Below the tolerance, or below that of a flag by itself and no smaller than before: rounding.
+    const bool stalls = largest > 0.5 * last_change_ && largest <= NewtonSettings{}.tolerance;
+    if (largest <= settings_.tolerance || stalls) {
       v = equation.velocity_factor * x + equation.velocity_rest;
       return true;
     }

@@ -46,8 +46,7 @@ class CoupledBody : public FlowBody {
  public:
   CoupledBody(Fluid& fluid, const Settings& settings, const FlagParameters& parameters,
               const std::optional<ShapeFunction>& zeta)
-      : fluid_(fluid),
-        initial_(settings.initial),
+      : initial_(settings.initial),
         flag_(coupled_mesh(fluid.grid(), parameters, fluid.span().planes()),
               material_of(parameters)),
         gravity_(Eigen::Map<const Eigen::Vector3d>(parameters.gravity.data()).template tail<dim>()),
@@ -164,7 +163,6 @@ class CoupledBody : public FlowBody {
     coupling_.set_outer_force(std::move(force));
   }
 
-  Fluid& fluid_;
   InitialSettings initial_;
   Flag<dim> flag_;
   Eigen::Matrix<double, dim, 1> gravity_;

@@ -53,49 +53,46 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
       components_(span_.has_span() || parameters.U != 0 ? 3 : 2),
       elliptic_(grid),
       metrics_(extent_, span_.has_span()),
+      krylov_space_(std::make_shared<KrylovSpace>(2 * extent_.cells())),
       pressure_(
           extent_.cells(), {"pressure", 200, 30},
           [this](const double* in, double* out) { pressure_operator(in, out); },
-          [this](const double* in, double* out) { invert_flat_pressure(in, out); }),
+          [this](const double* in, double* out) { invert_flat_pressure(in, out); }, krylov_space_),
       velocity_in_plane_(
           2 * extent_.cells(), {"velocity", 200, 10},
           [this](const double* in, double* out) {
             velocity_operator({0, 2}, in, out);
           },
-          [this](const double* in, double* out) { lines_.invert(2, in, out); }),
+          [this](const double* in, double* out) { lines_.invert(2, in, out); }, krylov_space_),
       velocity_along_span_(
           components_ > 2 ? extent_.cells() : 0, {"velocity", 200, 10},
           [this](const double* in, double* out) {
             velocity_operator({2, 3}, in, out);
           },
-          [this](const double* in, double* out) { lines_.invert(1, in, out); }),
+          [this](const double* in, double* out) { lines_.invert(1, in, out); }, krylov_space_),
       grid_velocity_y_(extent_),
       grid_velocity_z_(extent_),
       flux_rho_(extent_),
       flux_theta_(extent_),
-      slope_(span_.has_span() ? extent_ : Extent{0, 0, 0}),
       balance_(Extent{1, grid.n_rho(), grid.n_theta()}),
       carried_(balance_.extent()),
-      C_s_(extent_),
-      C_t_(extent_),
+      C_s_(flux_rho_),
+      C_t_(flux_theta_),
       lines_(extent_) {
   for (int plane = 0; plane < extent_.planes; ++plane)
     if (const int waves = span_.waves(plane); !span_.is_dropped(plane) && !flat_.contains(waves))
       flat_.try_emplace(waves, grid, Span::wavenumber(waves, span_.planes(), span_.length()));
-  if (span_.has_span()) C_x_ = Field<double>(extent_);
   no_velocity_.resize(static_cast<std::size_t>(extent_.n_theta));
   const std::size_t wall =
       static_cast<std::size_t>(extent_.planes) * static_cast<std::size_t>(extent_.n_theta);
   wall_ = {std::vector<double>(wall), std::vector<double>(wall)};
+  outer_pressure_.resize(wall);
   wall_velocity_.assign(static_cast<std::size_t>(components_), std::vector<double>(wall));
   guess_.assign(static_cast<std::size_t>(components_), Field<double>(extent_));
-  change_ = guess_;
-  const Field<double> along_the_span = span_.has_span() ? Field<double>(extent_) : Field<double>();
-  change_xi_.assign(guess_.size(), along_the_span);
-  x_flux_ = change_xi_;
+  change_.assign(2, Field<double>(extent_));
+  change_xi_.assign(2, span_.has_span() ? Field<double>(extent_) : Field<double>());
   gradient_.assign(span_.has_span() ? 3 : 2, Field<double>(extent_));
-  for (std::vector<double>* vector : {&right_, &solution_})
-    vector->resize(guess_.size() * extent_.cells());
+  for (std::vector<double>* vector : {&right_, &solution_}) vector->resize(2 * extent_.cells());
 }
 
 double Fluid::stream(int component) const {
@@ -111,12 +108,19 @@ void Fluid::fail(double t, const std::string& what) const {
 // -------------------------------------------------------------------------------------
 
 void Fluid::update_all_metrics(const Displacement<double>& displacement) {
+  Displacement<double> slope(Extent{0, 0, 0});
   if (span_.has_span()) {
-    span_.differentiate(displacement.y, slope_.y);
-    span_.differentiate(displacement.z, slope_.z);
+    std::swap(slope.y, change_xi_[0]);
+    std::swap(slope.z, change_xi_[1]);
+    span_.differentiate(displacement.y, slope.y);
+    span_.differentiate(displacement.z, slope.z);
   }
   for (int plane = 0; plane < extent_.planes; ++plane)
-    update_metrics(grid_, plane, displacement, span_.has_span() ? &slope_ : nullptr, metrics_);
+    update_metrics(grid_, plane, displacement, span_.has_span() ? &slope : nullptr, metrics_);
+  if (span_.has_span()) {
+    std::swap(slope.y, change_xi_[0]);
+    std::swap(slope.z, change_xi_[1]);
+  }
 }
 
 // The corners at the end of the step, from those of the last two.
@@ -212,20 +216,23 @@ void Fluid::predict(FluidState& state) {
     combine(step_.D.guess_last, state.u[c], step_.D.guess_before, state.u_last[c], guess_[c]);
   find_convection();
   lines_.prepare(metrics_, C_s_, C_t_, step_.D.next, 1 / parameters_.Re);
+  find_outer_pressure(state.u);
   extend_pressure(state.p);
   if (has_span) span_.differentiate(state.p, change_xi_[0]);
   for (int plane = 0; plane < extent_.planes; ++plane)
     gradient(metrics_, plane, state.p, has_span ? &change_xi_[0] : nullptr,
              {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   const std::size_t cells = extent_.cells();
-  for (std::size_t c = 0; c < guess_.size(); ++c) {
-    subtract_equation(state, c, right_.data() + c * cells);
-    if (manufactured_.force) add_force(state, c, right_.data() + c * cells);
-    pack(state.u_change[c], solution_.data() + c * cells);
-  }
-  const auto solve = [&](Krylov& krylov, std::size_t first) {
-    const KrylovSummary solved = krylov.solve(
-        right_.data() + first * cells, solution_.data() + first * cells, tolerances_.velocity);
+  const auto solve = [&](Krylov& krylov, const Components& components) {
+    const auto [first, end] = components;
+    for (std::size_t c = first; c < end; ++c) {
+      double* right = right_.data() + (c - first) * cells;
+      subtract_equation(state, c, right);
+      if (manufactured_.force) add_force(state, c, right);
+      pack(state.u_change[c], solution_.data() + (c - first) * cells);
+    }
+    const KrylovSummary solved =
+        krylov.solve(right_.data(), solution_.data(), tolerances_.velocity);
     if (!solved.converged)
       fail(state.t, fmt::format("the viscous solver stopped after {} iterations with an error of "
                                 "{:.3g}; a smaller dns.dt or, where the boundary layer is "
@@ -233,14 +240,14 @@ void Fluid::predict(FluidState& state) {
                                 solved.iterations, solved.residual));
     step_.summary.velocity_iterations =
         std::max(step_.summary.velocity_iterations, solved.iterations);
+    for (std::size_t c = first; c < end; ++c)
+      unpack(solution_.data() + (c - first) * cells, state.u_change[c]);
   };
   // Apart, so that a cross-flow changes nothing across it, to the last bit.
-  solve(velocity_in_plane_, 0);
-  if (components_ > 2) solve(velocity_along_span_, 2);
-  for (std::size_t c = 0; c < guess_.size(); ++c) {
-    unpack(solution_.data() + c * cells, state.u_change[c]);
+  solve(velocity_in_plane_, {0, 2});
+  if (components_ > 2) solve(velocity_along_span_, {2, 3});
+  for (std::size_t c = 0; c < guess_.size(); ++c)  // only now: the guess carries all of them
     combine(1, guess_[c], 1, state.u_change[c], guess_[c]);
-  }
 }
 
 // What carries the velocity, v - v_g of the guess, in cells along s and t.
@@ -271,15 +278,14 @@ void Fluid::find_convection() {
   if (has_span) carry_along_span();
 }
 
-// What carries along the span, and whether the change from the guess must be: where neither
+// Whether the change from the guess must be carried along the span: where neither
 // friction nor convection along x goes far in a step, they may act on the guess alone. That is of
 // second order too, and spares the solver its transforms.
 void Fluid::carry_along_span() {
-  C_x_ = guess_[along_x];
   double fastest = 0;
   for_each_row(extent_, [&](int plane, int j) {
     for (int i = 0; i < extent_.n_theta; ++i)
-      fastest = std::max(fastest, std::abs(C_x_.row(plane, j)[i]));
+      fastest = std::max(fastest, std::abs(guess_[along_x].row(plane, j)[i]));
   });
   const double k = std::numbers::pi * span_.planes() / span_.length(), dt = 1 / step_.D.next;
   constexpr double little_friction = 0.1, little_convection = 0.05;  // of a mode in a step
@@ -293,16 +299,8 @@ void Fluid::subtract_equation(const FluidState& state, std::size_t component, do
   const bool has_span = span_.has_span(), has_gradient = component < gradient_.size();
   const auto c = static_cast<int>(component);
   Field<double>&f = guess_[component], &f_xi = change_xi_[0], &carried = change_[0];
-  extend_velocity(state, c, f, true);
-  if (has_span) span_.differentiate(f, f_xi);
-  double* to = right;
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    balance_plane(plane, f, has_span ? &f_xi : nullptr, true, x_flux_[0]);
-    for (int j = 0; j < extent_.n_rho; ++j)
-      for (int i = 0; i < extent_.n_theta; ++i) *to++ = balance_.row(0, j)[i] / parameters_.Re;
-  }
-  add_x_flux(1 / parameters_.Re, x_flux_[0], right);
   extend_velocity(state, c, f, false);
+  if (has_span) span_.differentiate(f, f_xi);
   for (int plane = 0; plane < extent_.planes; ++plane) {
     carry_plane(plane, f, has_span ? &f_xi : nullptr);
     for (int j = 0; j < extent_.n_rho; ++j)
@@ -312,6 +310,14 @@ void Fluid::subtract_equation(const FluidState& state, std::size_t component, do
     const std::size_t points = carried.values().size() / static_cast<std::size_t>(extent_.planes);
     span_.dealias(carried.values().data(), points, points);
   }
+  extend_velocity(state, c, f, true);
+  double* to = right;
+  for (int plane = 0; plane < extent_.planes; ++plane) {
+    balance_plane(plane, f, has_span ? &f_xi : nullptr, true);
+    for (int j = 0; j < extent_.n_rho; ++j)
+      for (int i = 0; i < extent_.n_theta; ++i) *to++ = balance_.row(0, j)[i] / parameters_.Re;
+  }
+  add_x_flux(1 / parameters_.Re, f_xi, right);
   for_each_row(extent_, [&](int plane, int j) {
     const double *u = state.u[component].row(plane, j),
                  *u_last = state.u_last[component].row(plane, j);
@@ -330,13 +336,15 @@ void Fluid::pose_projection(FluidState& state) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const bool has_span = span_.has_span();
   const double dt = 1 / step_.D.next;
+  if (step_.is_start)
+    std::ranges::fill(outer_pressure_, 0.0);
+  else
+    find_outer_pressure(guess_);
   for (std::size_t c = 0; c < guess_.size(); ++c) {
     if (!step_.is_start && c < gradient_.size()) combine(1, guess_[c], dt, gradient_[c], guess_[c]);
     for (int plane = 0; plane < extent_.planes; ++plane) guess_[c].wrap_theta(plane, 0, n_rho);
   }
   const Field<double>* u_x = has_span ? &guess_[along_x] : nullptr;
-  Field<double>& divergence = change_[0];  // of the fluxes, integrated over the cells
-  std::ranges::fill(divergence.values(), 0.0);
   for (int plane = 0; plane < extent_.planes; ++plane) {
     velocity_flux(metrics_, plane, u_x, guess_[along_y], guess_[along_z], flux_rho_, flux_theta_);
     const FaceMetrics<double>& faces = metrics_.rho_faces;
@@ -350,16 +358,20 @@ void Fluid::pose_projection(FluidState& state) {
       flux_rho_.row(plane, 0)[i] = 0;
       flux_rho_.row(plane, n_rho)[i] = outer;
     }
-    add_balance(plane, flux_rho_, flux_theta_, divergence);
   }
-  pack(divergence, right_.data());
   if (has_span)
     for_each_row(extent_, [&](int plane, int j) {
       const double *u = u_x->row(plane, j), *volume = metrics_.volume.row(plane, j);
-      double* flux = x_flux_[0].row(plane, j);
+      double* flux = change_xi_[0].row(plane, j);
       for (int i = 0; i < n_theta; ++i) flux[i] = volume[i] * u[i];
     });
-  add_x_flux(1, x_flux_[0], right_.data());
+  subtract_outer_gradient(dt, change_[1]);
+  Field<double>& divergence = change_[0];  // of the fluxes, integrated over the cells
+  std::ranges::fill(divergence.values(), 0.0);
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    add_balance(plane, flux_rho_, flux_theta_, divergence);
+  pack(divergence, right_.data());
+  add_x_flux(1, change_xi_[0], right_.data());
   for (std::size_t cell = 0; cell < extent_.cells(); ++cell) right_[cell] /= dt;
   if (step_.is_start) {
     std::ranges::fill(solution_, 0.0);
@@ -425,11 +437,11 @@ FluidStepSummary Fluid::finish_step(FluidState& state) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const bool has_span = span_.has_span();
   const double dt = 1 / step_.D.next;
-  extend_pressure(state.p);
+  extend_pressure(state.p, 0);  // the outer pressure's part was posed
   Field<double>&p_xi = change_xi_[0], &across_rho = change_[0], &across_theta = change_[1];
   if (has_span) span_.differentiate(state.p, p_xi);
+  const Field<double>* slope = has_span ? &p_xi : nullptr;
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    const Field<double>* slope = has_span ? &p_xi : nullptr;
     gradient_flux(metrics_, plane, state.p, slope, across_rho, across_theta);
     for (int j = 0; j <= n_rho; ++j) {
       double *rho = flux_rho_.row(plane, j), *theta = flux_theta_.row(plane, j);
@@ -439,11 +451,13 @@ FluidStepSummary Fluid::finish_step(FluidState& state) {
       if (j < n_rho)
         for (int i = 0; i <= n_theta; ++i) theta[i] -= dt * p_theta[i];
     }
-    gradient(metrics_, plane, state.p, slope,
-             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
     const double* outer = flux_rho_.row(plane, n_rho);
     for (int i = 0; i < n_theta; ++i) state.is_inflow[extent_.wall_face(plane, i)] = outer[i] < 0;
   }
+  extend_pressure(state.p);
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    gradient(metrics_, plane, state.p, slope,
+             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   for (std::size_t c = 0; c < guess_.size(); ++c) {
     std::swap(state.u_last[c], state.u[c]);
     if (c < gradient_.size())

@@ -13,6 +13,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -125,9 +126,12 @@ class Fluid {
 
   double stream(int component) const;
   /// Fills the ghosts of a velocity component for convection, or (is_viscous) for the gradient's
-  /// flux: at the flag its velocity, outside the stream.
+  /// flux: at the flag its velocity, outside as dns/ghosts.hpp has it. For convection it is one of
+  /// the step's own fields.
   void extend_velocity(const FluidState&, int component, Field<double>& f, bool is_viscous) const;
   void extend_pressure(Field<double>& p) const;
+  /// At the outer faces, n_theta numbers for each plane, at the end of the last step.
+  const std::vector<double>& outer_pressure() const { return outer_pressure_; }
 
  private:
   struct Components {  // of FluidState::u, first to end - 1
@@ -149,15 +153,21 @@ class Fluid {
   void add_force(const FluidState&, std::size_t component, double* right);
   void pose_projection(FluidState&);
   void impose_wall_flux();
-  void balance_plane(int plane, const Field<double>& f, const Field<double>* f_xi,
-                     bool with_wall_flux, Field<double>& x_flux);
+  void balance_plane(int plane, const Field<double>& f, Field<double>* f_xi, bool with_wall_flux);
   void carry_plane(int plane, const Field<double>& f, const Field<double>* f_xi);
   void carry_along_span();
   void add_x_flux(double factor, Field<double>& x_flux, double* packed);
   void pressure_operator(const double* in, double* out);
   void invert_flat_pressure(const double* in, double* out);
   void velocity_operator(const Components&, const double* in, double* out);
-  void extend_change_outward(int plane, bool is_viscous, Field<double>&) const;
+  void extend_change_outward(int plane, std::size_t component, bool is_viscous,
+                             Field<double>&) const;
+  void extend_inflow(int plane, const std::vector<bool>& is_inflow,
+                     const std::vector<Field<double>>& u, bool with_stream, int component,
+                     Field<double>& f) const;
+  void find_outer_pressure(const std::vector<Field<double>>& u);
+  void subtract_outer_gradient(double dt, Field<double>& scratch);
+  void extend_pressure(Field<double>& p, double share) const;
   void update_all_metrics(const Displacement<double>&);
   [[noreturn]] void fail(double t, const std::string& what) const;
 
@@ -170,22 +180,24 @@ class Fluid {
   int components_;
   EllipticGrid elliptic_;
   Metrics<double> metrics_;
-  std::map<int, FlatPressure> flat_;  // by the number of waves along the span
+  std::map<int, FlatPressure> flat_;           // by the number of waves along the span
+  std::shared_ptr<KrylovSpace> krylov_space_;  // no solver runs within another
   Krylov pressure_, velocity_in_plane_, velocity_along_span_;
 
   Manufactured manufactured_;
   Step step_;
   bool change_varies_ = false;  // whether the velocity's operator has terms along the span
   std::vector<bool> is_inflow_;
+  std::vector<double> outer_pressure_;
   WallShape wall_;
   std::vector<std::vector<double>> wall_velocity_;
   std::vector<double> no_velocity_;
   Field<double> grid_velocity_y_, grid_velocity_z_;
   Field<double> flux_rho_, flux_theta_;
-  Displacement<double> slope_;
-  Field<double> balance_, carried_;                         // of one plane
-  std::vector<Field<double>> change_, change_xi_, x_flux_;  // of the components; and to work in
-  Field<double> C_x_, C_s_, C_t_;  // what carries the velocity: along x, in cells along s and t
+  Field<double> balance_, carried_;                // of one plane
+  std::vector<Field<double>> change_, change_xi_;  // of two components; and to work in
+  Field<double>&C_s_, &C_t_;  // what carries the velocity while it is predicted, in cells along s
+                              // and t: in the places of the fluxes, which come after it
   std::vector<Field<double>> guess_, gradient_;
   VelocityLines lines_;
   std::vector<double> right_, solution_;  // packed: the components one behind the other

@@ -139,6 +139,8 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
   const bool has_span = fluid.span().has_span();
   const double share = 1.0 / fluid.span().planes(), nu = 1 / fluid.parameters().Re;
   const Vector3 stream = {fluid.parameters().U, 1, 0};
+  const std::array<const Field<double>*, 3> outer_areas = {nullptr, &metrics.rho_faces.area_y,
+                                                           &metrics.rho_faces.area_z};
   FluidBudget budget;
   Field<double> u_x(has_span ? extent : Extent{0, 0, 0}), u_y(extent), u_z(extent);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -159,14 +161,15 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
       const int n = extent.n_rho;
       for (int i = 0; i < extent.n_theta; ++i) {
         const std::size_t face = extent.wall_face(plane, i);
-        // What leaves is what the last cells hold; what enters is the stream, without disturbance.
+        // Convection and pressure, in the disturbance as the last cells hold it.
         const double flux = share * fluid.flux_across_rho().row(plane, n)[i];
-        if (flux > 0) {
-          const double leaving =
-              1.5 * u.f.row(plane, n - 1)[i] - 0.5 * u.f.row(plane, n - 2)[i] - stream[axis];
-          budget.outer_power -= flux * leaving * leaving / 2;
-          budget.outer_force[axis] -= flux * leaving;
-        }
+        const double outside =
+            1.5 * u.f.row(plane, n - 1)[i] - 0.5 * u.f.row(plane, n - 2)[i] - stream[axis];
+        const double push = outer_areas[axis] ? share * fluid.outer_pressure()[face] *
+                                                    outer_areas[axis]->row(plane, n)[i]
+                                              : 0.0;
+        budget.outer_power -= flux * outside * outside / 2 + push * outside;
+        budget.outer_force[axis] -= flux * outside + push;
         budget.wall_power -= share * traction.force[axis][face] *
                              (fluid.wall_velocity()[place_of[axis]][face] - stream[axis]);
       }

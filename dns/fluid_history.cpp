@@ -26,9 +26,9 @@ void append(const std::vector<double>& values, std::vector<double>& all) {
   all.insert(all.end(), values.begin(), values.end());
 }
 
-std::vector<FluidColumn> columns_of(const FluidHistory& history) {
-  std::vector<FluidColumn> columns(columns_of_fluid_history().begin(),
-                                   columns_of_fluid_history().end());
+std::vector<HistoryColumn> columns_of(const FluidHistory& history) {
+  std::vector<HistoryColumn> columns(columns_of_fluid_history().begin(),
+                                     columns_of_fluid_history().end());
   if (!history.flag.empty())
     columns.insert(columns.end(), columns_of_coupled_flag().begin(),
                    columns_of_coupled_flag().end());
@@ -41,22 +41,10 @@ std::vector<double> row_of(const FluidHistory& history, std::size_t r) {
   return row;
 }
 
-hdf5::Attributes column_names(const std::vector<FluidColumn>& columns) {
-  hdf5::Attributes attributes;
-  std::string names;
-  for (const FluidColumn& column : columns) {
-    if (!names.empty()) names += ',';
-    names += column.name;
-    attributes[column.name] = std::string(column.meaning);
-  }
-  attributes["columns"] = names;
-  return attributes;
-}
-
 }  // namespace
 
-const std::array<FluidColumn, fluid_columns>& columns_of_fluid_history() {
-  static const std::array<FluidColumn, fluid_columns> columns = {{
+const std::array<HistoryColumn, fluid_columns>& columns_of_fluid_history() {
+  static const std::array<HistoryColumn, fluid_columns> columns = {{
       {"t", "time, in L/V"},
       {"dt", "the step that led here, in L/V"},
       {"z_trailing_edge", "z of the trailing edge in the first plane, in L"},
@@ -83,8 +71,8 @@ const std::array<FluidColumn, fluid_columns>& columns_of_fluid_history() {
   return columns;
 }
 
-const std::array<FluidColumn, coupled_columns>& columns_of_coupled_flag() {
-  static const std::array<FluidColumn, coupled_columns> columns = {{
+const std::array<HistoryColumn, coupled_columns>& columns_of_coupled_flag() {
+  static const std::array<HistoryColumn, coupled_columns> columns = {{
       {"flag_kinetic", "kinetic energy of the flag, in rho_f V^2 L^2 per span"},
       {"bending", "bending energy of the flag, in the same unit"},
       {"stretch_2d", "energy of its chordwise strain, in the same unit"},
@@ -165,11 +153,11 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
 
 void write_history(const FluidHistory& history, int planes, std::size_t probes,
                    hdf5::Writer& file) {
-  const std::vector<FluidColumn> columns = columns_of(history);
+  const std::vector<HistoryColumn> columns = columns_of(history);
   std::vector<double> values;
   for (std::size_t r = 0; r < history.rows.size(); ++r) append(row_of(history, r), values);
   const hsize_t rows = history.rows.size();
-  file.write("/history", {rows, columns.size()}, values, column_names(columns));
+  file.write("/history", {rows, columns.size()}, values, attributes_of(columns));
   file.write("/stations", {rows, static_cast<hsize_t>(planes), values_of_station}, history.stations,
              {{"meaning", "drag, lift and side force of each plane, in rho_f V^2 L per span"}});
   if (!history.flag.empty())
@@ -185,8 +173,7 @@ void write_history(const FluidHistory& history, const Span& span, const Settings
                    const std::filesystem::path& folder) {
   if (!ranks::is_leading()) return;
   const ProbeSettings& probes = settings.probes;
-  std::vector<std::string> names;
-  for (const FluidColumn& column : columns_of(history)) names.emplace_back(column.name);
+  std::vector<std::string> names = names_of(columns_of(history));
   const std::size_t count = probes.y.size();
   for (std::size_t k = 0; k < count; ++k)
     for (const char* value : {"v", "w", "u", "p"}) names.push_back(fmt::format("{}_{}", value, k));

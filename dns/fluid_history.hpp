@@ -10,17 +10,13 @@
 #include "dns/flag_history.hpp"
 #include "dns/fluid.hpp"
 #include "dns/fluid_forces.hpp"
+#include "dns/history_columns.hpp"
 #include "dns/settings.hpp"
 
 namespace pennon::dns {
 
-struct FluidColumn {
-  const char* name;
-  const char* meaning;
-};
-
 inline constexpr std::size_t fluid_columns = 20, coupled_columns = 12;
-const std::array<FluidColumn, fluid_columns>& columns_of_fluid_history();
+const std::array<HistoryColumn, fluid_columns>& columns_of_fluid_history();
 using FluidRow = std::array<double, fluid_columns>;
 using CoupledRow = std::array<double, coupled_columns>;
 
@@ -35,7 +31,7 @@ struct FluidHistory {
 };
 
 /// The numbers of the flag in a coupled run, beside those of the fluid.
-const std::array<FluidColumn, coupled_columns>& columns_of_coupled_flag();
+const std::array<HistoryColumn, coupled_columns>& columns_of_coupled_flag();
 
 /// Adds a row for a state; stations and probes on the leading rank alone. Every rank calls. Probes
 /// in the order of the settings; one outside the grid is NaN.

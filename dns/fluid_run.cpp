@@ -80,7 +80,11 @@ class FluidRun {
       if (settings_.output.shape_interval > 0) body_->add_shape(history_);
     }
     constexpr std::int64_t ticks = 1'000'000;
+    const auto ticks_at = [&](double t) {
+      return static_cast<std::int64_t>(ticks * t / settings_.t_end);
+    };
     Progress progress("direct simulation", ticks, shows_progress);
+    progress.begin_at(ticks_at(state().t));
     while (state().t < settings_.t_end - slack * dt_) {
       if (ranks::any(is_interrupted())) {
         write_checkpoint();
@@ -88,7 +92,7 @@ class FluidRun {
         throw Interrupted("interrupted; go on with --restart " + checkpoint_.string());
       }
       advance_by(step_toward(settings_.t_end));
-      progress.advance_to(static_cast<std::int64_t>(ticks * state().t / settings_.t_end));
+      progress.advance_to(ticks_at(state().t), [this] { return words_of_step(); });
     }
     write_checkpoint();
     write_results();
@@ -119,7 +123,7 @@ class FluidRun {
   void advance_by(double dt) {
     const double before = state().t;
     const auto begin = Clock::now();
-    CoupledStepSummary summary;
+    CoupledStepSummary& summary = last_step_;
     try {
       summary = body_->advance(dt);
     } catch (const SolverError& fault) {
@@ -153,6 +157,14 @@ class FluidRun {
     if (settings_.fluid.cfl && CFL > 0)
       most = std::min(most, taken * std::max(*settings_.fluid.cfl / CFL, most_shrinkage));
     dt_ = std::min(most, most_growth * std::max(taken, dt_));
+  }
+
+  std::string words_of_step() const {
+    std::string words = fmt::format("step {} at t = {:.4g}, CFL {:.2f}, {} pressure iterations",
+                                    step_, state().t, last_step_.fluid.CFL,
+                                    last_step_.fluid.pressure_iterations);
+    if (last_step_.passes > 0) words += fmt::format(", {} coupling passes", last_step_.passes);
+    return words;
   }
 
   FluidState& state() { return body_->fluid(); }
@@ -280,6 +292,7 @@ class FluidRun {
   double dt_ = 0;
   std::int64_t step_ = 0, pressure_iterations_ = 0, passes_ = 0;
   std::vector<double> field_times_;
+  CoupledStepSummary last_step_;
   FluidHistory history_;
   fs::path checkpoint_;
   FluidRunResult result_;

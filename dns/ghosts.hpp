@@ -4,9 +4,11 @@
 /// cells: the difference across the wall is then the one-sided derivative of second order.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "dns/field.hpp"
+#include "dns/metrics.hpp"
 
 namespace pennon::dns {
 
@@ -37,21 +39,56 @@ Scalar wall_value(const Scalar& f0, const Scalar& f1, const Scalar& f2) {
   return (15.0 * f0 - 10.0 * f1 + 3.0 * f2) / 8.0;
 }
 
-/// Behind the outer boundary. For convection: where the stream enters, its value; where it leaves,
-/// the parabola through the last three cells, with which it becomes one-sided. For viscous fluxes
-/// no gradient, also where the stream enters: the last cells hold the stream and what the flag's
-/// pressure makes of it, and that difference over one cell would be a force that grows as the grid
-/// is refined. `is_inflow` of the face i of this plane stands at first + i. Both ghosts.
+/// Behind the outer boundary, both ghosts. For convection the parabola through the last three
+/// cells, with which it becomes one-sided, for what leaves. For viscous fluxes no gradient, also
+/// where the stream enters.
 template <class Scalar>
-void extend_outward(int plane, const std::vector<bool>& is_inflow, std::size_t first,
-                    const Scalar& stream, bool is_viscous, Field<Scalar>& f) {
+void extend_outward(int plane, bool is_viscous, Field<Scalar>& f) {
   const int n = f.extent().n_rho;
   const Scalar *f0 = f.row(plane, n - 1), *f1 = f.row(plane, n - 2), *f2 = f.row(plane, n - 3);
   Scalar *near = f.row(plane, n), *far = f.row(plane, n + 1);
   for (int i = 0; i < f.extent().n_theta; ++i) {
-    const bool enters = is_inflow[first + static_cast<std::size_t>(i)];
-    near[i] = is_viscous ? f0[i] : enters ? stream : 3.0 * (f0[i] - f1[i]) + f2[i];
-    far[i] = is_viscous ? f0[i] : enters ? stream : 6.0 * f0[i] - 8.0 * f1[i] + 3.0 * f2[i];
+    near[i] = is_viscous ? f0[i] : 3.0 * (f0[i] - f1[i]) + f2[i];
+    far[i] = is_viscous ? f0[i] : 6.0 * f0[i] - 8.0 * f1[i] + 3.0 * f2[i];
+  }
+}
+
+/// What enters through the outer boundary: `velocity` (v, w) less its `stream` along y is normal to
+/// the faces there, and widens with the grid, whose lines theta = const part in the ratio
+/// `widening` from the last cells to the near ghosts.
+template <class Scalar>
+struct Inflow {
+  const std::vector<bool>& is_inflow;  ///< of the face i of plane m at m n_theta + i
+  const FaceMetrics<Scalar>& faces;    ///< across rho
+  double widening;
+  const Field<Scalar>&v, &w;
+  double stream;
+};
+
+/// Overwrites, where fluid enters, both ghosts of f for convection: of the component of the
+/// velocity whose area component is `area` (null: along the span), and which is `own_stream` in the
+/// stream.
+template <class Scalar>
+void reflect_inflow(int plane, const Inflow<Scalar>& inflow, const Field<Scalar>* area,
+                    double own_stream, Field<Scalar>& f) {
+  const int n = f.extent().n_rho;
+  const Scalar *A_y = inflow.faces.area_y.row(plane, n), *A_z = inflow.faces.area_z.row(plane, n);
+  const Scalar* A = area ? area->row(plane, n) : nullptr;
+  const std::size_t first = f.extent().wall_face(plane, 0);
+  for (int g = 0; g < 2; ++g) {
+    const int mirror = n - 1 - g;
+    const Scalar *v = inflow.v.row(plane, mirror), *w = inflow.w.row(plane, mirror),
+                 *here = f.row(plane, mirror);
+    Scalar* ghost = f.row(plane, n + g);
+    // Of the normal part, 1 for what the reflection turns round.
+    const double normal_share = 1 + 1 / std::pow(inflow.widening, 2 * g + 1);
+    for (int i = 0; i < f.extent().n_theta; ++i) {
+      if (!inflow.is_inflow[first + static_cast<std::size_t>(i)]) continue;
+      ghost[i] = 2.0 * own_stream - here[i];
+      if (A)
+        ghost[i] += normal_share * A[i] * (A_y[i] * (v[i] - inflow.stream) + A_z[i] * w[i]) /
+                    (A_y[i] * A_y[i] + A_z[i] * A_z[i]);
+    }
   }
 }
 

@@ -8,11 +8,66 @@ namespace pennon::dns {
 
 using petsc::check;
 
+double* KrylovSpace::vector(std::size_t k, std::size_t length) {
+  const std::size_t vectors_of_block = longest_ / length, block = k / vectors_of_block;
+  while (blocks_.size() <= block)  // not filled: what no solver writes to takes no memory
+    blocks_.push_back(std::make_unique_for_overwrite<double[]>(longest_));
+  return blocks_[block].get() + (k % vectors_of_block) * length;
+}
+
+namespace {
+
+constexpr const char* space_of_vector = "pennon_krylov_space";
+
+// What the vectors of a solver have in common: their space, and how many it has been asked for.
+struct SharedVectors {
+  std::shared_ptr<KrylovSpace> space;
+  std::size_t count = 0;
+};
+
+PetscErrorCode duplicate_in_space(Vec like, Vec* vector);
+
+PetscErrorCode keep_in_space(Vec vector, PetscObject container) {
+  PetscErrorCode code =
+      PetscObjectCompose(reinterpret_cast<PetscObject>(vector), space_of_vector, container);
+  if (code != 0) return code;
+  return VecSetOperation(vector, VECOP_DUPLICATE,
+                         reinterpret_cast<void (*)()>(&duplicate_in_space));
+}
+
+// VecDuplicate for the vectors of a solver.
+PetscErrorCode duplicate_in_space(Vec like, Vec* vector) {
+  PetscObject container = nullptr;
+  void* pointer = nullptr;
+  PetscInt local = 0, total = 0;
+  PetscErrorCode code =
+      PetscObjectQuery(reinterpret_cast<PetscObject>(like), space_of_vector, &container);
+  if (code == 0)
+    code = PetscContainerGetPointer(reinterpret_cast<PetscContainer>(container), &pointer);
+  if (code == 0) code = VecGetLocalSize(like, &local);
+  if (code == 0) code = VecGetSize(like, &total);
+  if (code != 0) return code;
+  auto& shared = *static_cast<SharedVectors*>(pointer);
+  std::exception_ptr no_memory;
+  double* array = nullptr;
+  code = petsc::guarded(no_memory, [&] {
+    array = shared.space->vector(shared.count++, static_cast<std::size_t>(local));
+  });
+  if (code == 0)
+    code = VecCreateMPIWithArray(PetscObjectComm(reinterpret_cast<PetscObject>(like)), 1, local,
+                                 total, array, vector);
+  if (code == 0) code = keep_in_space(*vector, container);
+  return code;
+}
+
+}  // namespace
+
 struct Krylov::Implementation {
   Operator A, inverse_M;
   std::exception_ptr caught;
   petsc::Matrix matrix;
   petsc::KrylovMethod method;
+  SharedVectors shared;
   petsc::Vector b, x;
   double root_unknowns = 1;
 
@@ -39,7 +94,8 @@ struct Krylov::Implementation {
   }
 };
 
-Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Operator inverse_M)
+Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Operator inverse_M,
+               std::shared_ptr<KrylovSpace> space)
     : implementation_(std::make_unique<Implementation>()) {
   petsc::start();
   Implementation& self = *implementation_;
@@ -71,6 +127,17 @@ Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Opera
   check(PCShellSetContext(preconditioner, &self));
   check(PCShellSetApply(preconditioner, &Implementation::precondition));
   check(KSPSetFromOptions(self.method));
+  PetscBool is_gmres = PETSC_FALSE;
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(static_cast<KSP>(self.method)),
+                               KSPGMRES, &is_gmres));
+  if (!space || !is_gmres || unknowns == 0) return;
+  self.shared.space = std::move(space);
+  petsc::Handle<PetscContainer, PetscContainerDestroy> container;
+  check(PetscContainerCreate(comm, container.address()));
+  check(PetscContainerSetPointer(container, &self.shared));
+  for (const Vec vector : {static_cast<Vec>(self.b), static_cast<Vec>(self.x)})
+    check(keep_in_space(vector,
+                        reinterpret_cast<PetscObject>(static_cast<PetscContainer>(container))));
 }
 
 Krylov::~Krylov() = default;

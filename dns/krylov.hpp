@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace pennon::dns {
 
@@ -12,6 +13,21 @@ struct KrylovSummary {
   bool converged = false;
   int iterations = 0;
   double residual = 0;  ///< root mean square of M^-1 (b - A x)
+};
+
+/// Memory for the vectors of solvers that never run at the same time, taken when it is first
+/// written to.
+class KrylovSpace {
+ public:
+  /// For vectors of up to `longest` numbers.
+  explicit KrylovSpace(std::size_t longest) : longest_(longest) {}
+
+  /// The k-th of a solver's vectors of `length` numbers.
+  double* vector(std::size_t k, std::size_t length);
+
+ private:
+  std::size_t longest_;
+  std::vector<std::unique_ptr<double[]>> blocks_;
 };
 
 class Krylov {
@@ -26,7 +42,10 @@ class Krylov {
   };
 
   /// `unknowns` of this rank. The method is GMRES unless PETSc's options say otherwise.
-  Krylov(std::size_t unknowns, const Settings&, Operator A, Operator inverse_M);
+  /// GMRES keeps its vectors in `space` where there is one; solvers that share it must not be
+  /// called from one another.
+  Krylov(std::size_t unknowns, const Settings&, Operator A, Operator inverse_M,
+         std::shared_ptr<KrylovSpace> space = nullptr);
   ~Krylov();
   Krylov(const Krylov&) = delete;
   Krylov& operator=(const Krylov&) = delete;

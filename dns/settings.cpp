@@ -238,6 +238,25 @@ void check_fluid(const Settings& settings, const FlagParameters& flag, Faults& f
                                       settings.motion.waves, 3 * settings.motion.waves + 1));
 }
 
+// What a flag that the flow moves cannot have.
+template <class About>
+void check_coupled(const Settings& settings, const About& about) {
+  const FlagSettings& flag = settings.flag;
+  if (flag.trailing_edge != Edge::free || flag.side_edges != Edge::periodic || flag.equilibrium)
+    about("flag",
+          "trailing_edge, side_edges or equilibrium is for a flag by itself: in the flow the "
+          "trailing edge is free and the span periodic");
+  const LoadSettings& loads = settings.loads;
+  if (loads.pressure != 0 || loads.load != std::array<double, 3>{} ||
+      loads.edge_load != std::array<double, 3>{} || !loads.traction.empty())
+    about("loads", "are for a flag by itself; in the flow dns.initial.kick and flag.gravity act");
+  if (settings.convergence.is_given)
+    about("convergence", "is of a flag by itself; leave [flow] out");
+  if (settings.initial.kick != 0 &&
+      settings.initial.release + settings.initial.kick_duration > settings.t_end)
+    about("initial.kick", "lasts beyond dns.t_end");
+}
+
 }  // namespace
 
 void check(const Settings& settings, const FlagParameters& flag, bool has_flow, Faults& faults) {
@@ -269,6 +288,21 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
   }
   if (settings.initial.angle != 0 && (!settings.initial.A.empty() || !settings.initial.B.empty()))
     about("initial.angle", "contradicts dns.initial.A or B: the flag starts straight or as (5.1)");
+  const bool starts_bent = !settings.initial.A.empty() || !settings.initial.B.empty();
+  if (settings.initial.angle != 0 || starts_bent) {
+    const char* key = !starts_bent                 ? "initial.angle"
+                      : settings.initial.A.empty() ? "initial.B"
+                                                   : "initial.A";
+    const auto is_held = [](Edge edge) { return edge == Edge::pinned || edge == Edge::clamped; };
+    if (is_held(settings.flag.trailing_edge))
+      about(key,
+            "moves the trailing edge, which dns.flag.trailing_edge holds where it rests: "
+            "let that edge be free");
+    if (is_held(settings.flag.side_edges))
+      about(key,
+            "moves the side edges, which dns.flag.side_edges holds where they rest: let them "
+            "be free or periodic");
+  }
   if (settings.initial.plate_mode != 0) {
     if (!settings.initial.A.empty() || !settings.initial.B.empty() || settings.initial.angle != 0)
       about("initial.plate_mode",
@@ -280,6 +314,15 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
             "is the mode of a plate supported along all edges: it needs flag.gamma, and "
             "flag.leading_edge, dns.flag.trailing_edge and dns.flag.side_edges = \"pinned\"");
   }
+  if (settings.initial.mode_amplitude != 0) {
+    if (!settings.initial.A.empty() || !settings.initial.B.empty() || settings.initial.angle != 0 ||
+        settings.initial.plate_mode != 0)
+      about("initial.mode_amplitude",
+            "contradicts dns.initial.A, B, angle or plate_mode: the flag starts as one of them");
+    if (settings.initial.n > 0 && !flag.gamma)
+      about("initial.n", "varies along the span, but without flag.gamma there is none");
+  }
+  if (has_flow && !settings.motion.is_given) check_coupled(settings, about);
   if (settings.convergence.is_given) check(settings.convergence, settings, about);
   if (settings.flag.equilibrium && flag.K_B == 0)
     about("flag.equilibrium",

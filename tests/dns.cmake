@@ -21,3 +21,5 @@ pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp unit/fluid_parts.cpp LIN
 # Not a test: draws the fluid's pictures of docs/accuracy.md.
 add_executable(fluid_pictures support/fluid_pictures.cpp)
 target_link_libraries(fluid_pictures PRIVATE pennon_options pennon::analysis)
+pennon_test(test_coupling LABEL verification
+            SOURCES unit/added_mass.cpp verification/coupling.cpp LINK pennon::dns)

@@ -2,10 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "common/csv.hpp"
 #include "common/hdf5.hpp"
@@ -42,20 +40,12 @@ class DnsFluid : public test::Commands {
 
 TEST_F(DnsFluid, GoesOnAfterATerminationToTheSameBits) {
   const std::string file = wave_in_three_dimensions();
-  const auto arguments = [&](const std::string& folder) {
-    return std::vector<std::string>{"dns",    file,       "--set",        "dns.t_end=0.6",
-                                    "--json", "--output", results(folder)};
-  };
-  const Outcome whole = pennon(arguments("whole"));
+  const std::vector<std::string> arguments = {"dns", file, "--set", "dns.t_end=0.6", "--json"};
+  std::vector<std::string> uninterrupted = arguments;
+  uninterrupted.insert(uninterrupted.end(), {"--output", results("whole")});
+  const Outcome whole = pennon(uninterrupted);
   ASSERT_EQ(whole.status, done) << whole.err;
-  const pid_t child = start_in_background(arguments("parts"));
-  while (!fs::exists(results("parts") + "/checkpoint.h5") && waitpid(child, nullptr, WNOHANG) == 0)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
-  std::vector<std::string> rest = arguments("parts");
-  rest.insert(rest.end(), {"--restart", results("parts") + "/checkpoint.h5"});
-  const Outcome continued = pennon(rest);
+  const Outcome continued = pennon_killed_and_continued(arguments, "parts");
   ASSERT_EQ(continued.status, done) << continued.err;
   EXPECT_EQ(test::read_text(results("parts") + "/history.csv"),
             test::read_text(results("whole") + "/history.csv"));
@@ -132,12 +122,6 @@ TEST_F(DnsFluid, ReportsAllFaultsOfACase) {
        {"n_theta = 121 is odd", "first_dt = 0.1 is larger", "motion.waves varies along the span",
         "probes.z has 1 numbers and dns.probes.y has 2"})
     EXPECT_THAT(outcome.err, HasSubstr(fault));
-}
-
-TEST_F(DnsFluid, SaysThatAFlagMovedByTheFlowIsToCome) {
-  const Outcome outcome = pennon({"dns", (test::table_1_cases / "C2D.toml").string()});
-  EXPECT_EQ(outcome.status, bad_input);
-  EXPECT_THAT(outcome.err, HasSubstr("[dns.motion]"));
 }
 
 TEST_F(DnsFluid, RefusesTheCheckpointOfAnotherGrid) {

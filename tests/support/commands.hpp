@@ -7,9 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/support/temporary_folder.hpp"
@@ -67,6 +69,20 @@ class Commands : public testing::Test {
     arguments.insert(arguments.begin(),
                      {PENNON_MPIEXEC, "-n", std::to_string(ranks), PENNON_EXECUTABLE});
     return finish(start_program(arguments, folder_ / "out.txt", folder_ / "err.txt"));
+  }
+  /// Runs `arguments` in results(folder), kills the run once it has left a checkpoint, and goes on
+  /// from there.
+  Outcome pennon_killed_and_continued(std::vector<std::string> arguments,
+                                      const std::string& folder) {
+    arguments.insert(arguments.end(), {"--output", results(folder)});
+    const std::string checkpoint = results(folder) + "/checkpoint.h5";
+    const pid_t child = start_in_background(arguments);
+    while (!std::filesystem::exists(checkpoint) && waitpid(child, nullptr, WNOHANG) == 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    arguments.insert(arguments.end(), {"--restart", checkpoint});
+    return pennon(arguments);
   }
   std::string results(const std::string& name = "results") const {
     return (folder_ / name).string();

@@ -2,27 +2,14 @@
 /// call of malloc is counted.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <memory>
 
 #include "dns/elliptic_grid.hpp"
 #include "dns/metrics.hpp"
 #include "tests/support/grids.hpp"
+#include "tests/support/malloc_counter.hpp"
 
 #if !defined(__SANITIZE_ADDRESS__)
-
-namespace {
-std::atomic<std::size_t> calls{0};
-}
-
-// glibc's own allocator, under the name that everything asks for.
-// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is glibc's
-extern "C" void* __libc_malloc(std::size_t);
-extern "C" void* malloc(std::size_t size) {
-  calls.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
 
 namespace pennon::dns {
 namespace {
@@ -32,9 +19,7 @@ using namespace pennon::test;
 template <class Function>
 std::size_t calls_of_a_second(const Function& function) {
   function();
-  const std::size_t before = calls;
-  function();
-  return calls - before;
+  return calls_of_malloc_in(function);
 }
 
 TEST(MovingGrid, AllocatesNothingAfterTheFirstPasses) {
@@ -52,9 +37,11 @@ TEST(MovingGrid, AllocatesNothingAfterTheFirstPasses) {
 }
 
 TEST(MovingGrid, IsWatchedByACounterThatCounts) {
-  const std::size_t before = calls;
-  const auto some = std::make_unique<Field<double>>(Extent{1, 8, 8});
-  EXPECT_GT(calls - before, 0U) << some->values().size();
+  std::unique_ptr<Field<double>> some;
+  EXPECT_GT(calls_of_malloc_in([&] {
+              some = std::make_unique<Field<double>>(Extent{1, 8, 8});
+            }),
+            0U);
 }
 
 }  // namespace

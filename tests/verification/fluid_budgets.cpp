@@ -85,9 +85,9 @@ Budget budget_within(FluidRun& run, int rows) {
   return budget;
 }
 
-struct Residuals {                              // root mean squares over the second half of the run
-  double energy = 0, momentum = 0;              // within a line about half way out
-  double whole_energy = 0, whole_momentum = 0;  // by fluid_budget(), of the whole domain
+struct Residuals {                  // root mean squares over the second half of the run
+  double energy = 0, momentum = 0;  // within a line about half way out
+  double whole_energy = 0, whole_y = 0, whole_z = 0;  // by fluid_budget(), of the whole domain
 };
 
 constexpr double Re = 100;
@@ -129,12 +129,11 @@ Residuals residuals_of(int n_rho, double R) {
     sum.whole_energy += share * std::pow(whole_energy.by_time(dt) - whole.wall_power +
                                              whole.dissipation - whole.outer_power,
                                          2);
-    sum.whole_momentum +=
-        share * (std::pow(whole_y.by_time(dt) + force[1] - whole.outer_force[1], 2) +
-                 std::pow(whole_z.by_time(dt) + force[2] - whole.outer_force[2], 2));
+    sum.whole_y += share * std::pow(whole_y.by_time(dt) + force[1] - whole.outer_force[1], 2);
+    sum.whole_z += share * std::pow(whole_z.by_time(dt) + force[2] - whole.outer_force[2], 2);
   }
   return {std::sqrt(sum.energy), std::sqrt(sum.momentum), std::sqrt(sum.whole_energy),
-          std::sqrt(sum.whole_momentum)};
+          std::sqrt(sum.whole_y), std::sqrt(sum.whole_z)};
 }
 
 double order(double coarse, double fine, double ratio) {
@@ -152,10 +151,50 @@ TEST(FluidBudgets, CloseWithSecondOrderAboutAFlappingFlag) {
   // Both are shares of a power and a force of 0.2.
   EXPECT_LT(fine.energy, 0.0025);
   EXPECT_LT(fine.momentum, 0.005);
-  // Of the whole domain the outermost cells, which the stream enters at its own velocity and with
-  // no pressure, leave a rest of their own: at most that much here.
-  EXPECT_LT(fine.whole_energy, 0.003);
-  EXPECT_LT(fine.whole_momentum, 0.003);
+  // Over the outer boundary: 1.8 of energy, 2.5 of momentum along y and z.
+  EXPECT_GT(order(middle.whole_energy, fine.whole_energy, 1.5), 1.8);
+  EXPECT_GT(order(middle.whole_y, fine.whole_y, 1.5), 2);
+  EXPECT_GT(order(middle.whole_z, fine.whole_z, 1.5), 2);
+  EXPECT_NEAR(fine.whole_energy / fine.energy, 1, 0.03) << "the outer boundary's own share";
+  EXPECT_LT(fine.whole_y, 0.001);
+  EXPECT_LT(fine.whole_z, 0.001);
+}
+
+// The outer boundary so near that the flag is felt there: measured orders 2.0, 1.9 and 1.7. Where
+// the stream entered at its own velocity without pressure, they were 1.4, 1.5 and 1.6.
+TEST(FluidBudgets, CloseOverANearOuterBoundary) {
+  const Residuals coarse = residuals_of(54, 2), fine = residuals_of(81, 2);
+  EXPECT_GT(order(coarse.whole_energy, fine.whole_energy, 1.5), 1.9);
+  EXPECT_GT(order(coarse.whole_y, fine.whole_y, 1.5), 1.8);
+  EXPECT_GT(order(coarse.whole_z, fine.whole_z, 1.5), 1.6);
+}
+
+// What enters loses energy at the boundary, -u_n v'_n^2/2 for each area, and brings no momentum.
+TEST(FluidBudgets, GetNoEnergyAndNoMomentumFromWhatEnters) {
+  FluidCase settings;
+  settings.grid = {32, 64, 1, 0.03, 0};
+  settings.parameters = {Re, 0};
+  FluidRun run(settings, [](double t, double, double y) -> std::array<double, 2> {
+    return {0, 0.2 * y * std::sin(3 * t)};
+  });
+  run.run_to(0.5, 0.005);
+  const Fluid& fluid = run.fluid();
+  const int n = fluid.extent().n_rho;
+  double greatest = 0;
+  for (int i = 0; i < fluid.extent().n_theta; ++i) {
+    const double A_y = fluid.metrics().rho_faces.area_y.row(0, n)[i],
+                 A_z = fluid.metrics().rho_faces.area_z.row(0, n)[i];
+    const double area = std::hypot(A_y, A_z);
+    const double u_n = fluid.flux_across_rho().row(0, n)[i] / area, disturbance = u_n - A_y / area;
+    const double p = fluid.outer_pressure()[static_cast<std::size_t>(i)];
+    // The step's last pressure is not in the predicted velocity, that p is taken from.
+    EXPECT_NEAR(p, u_n < 0 ? -u_n * disturbance : 0.0, 0.002) << i;
+    greatest = std::max(greatest, std::abs(p));
+    if (u_n < 0) {  // what is lost, outward
+      EXPECT_GT(u_n * disturbance * disturbance / 2 + p * disturbance, -1e-5) << i;
+    }
+  }
+  EXPECT_GT(greatest, 0.02) << "too little enters for this test";
 }
 
 // What momentum the plate takes from the stream, the whole domain misses; a viscous force through

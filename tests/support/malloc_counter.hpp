@@ -1,0 +1,34 @@
+/// Counts every call of malloc in a program. Takes the place of malloc, so it is included by one
+/// file of a program of its own; there is none under the address sanitizer, which has its own.
+#pragma once
+
+#if !defined(__SANITIZE_ADDRESS__)
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+
+namespace pennon::test {
+
+inline std::atomic<std::size_t> calls_of_malloc{0};
+
+/// Of `function`.
+template <class Function>
+std::size_t calls_of_malloc_in(const Function& function) {
+  const std::size_t before = calls_of_malloc;
+  function();
+  return calls_of_malloc - before;
+}
+
+}  // namespace pennon::test
+
+// glibc's own allocator, under the name that everything asks for.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is glibc's
+extern "C" void* __libc_malloc(std::size_t);
+// NOLINTNEXTLINE(misc-definitions-in-headers): of one file, as said above
+extern "C" void* malloc(std::size_t size) {
+  pennon::test::calls_of_malloc.fetch_add(1, std::memory_order_relaxed);
+  return __libc_malloc(size);
+}
+
+#endif
