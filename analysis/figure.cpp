@@ -154,7 +154,7 @@ std::string color_bar(const Field& field) {
   const Span span = colors_of(field);
   return (field.is_diverging ? diverging_palette() : sequential_palette(0)) +
          fmt::format(
-             "set cbrange [{}:{}]\nset cblabel {} offset 1,0\n"
+             "set cbrange [{}:{}]\nset cblabel {}\n"
              "set cbtics out scale 0.5 format '%h'\nset style line 1 lc rgb '#000000' lw 0.6\nset "
              "colorbox border 1\n",
              span.low, span.high, quoted_text(field.label));

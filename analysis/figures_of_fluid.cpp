@@ -92,6 +92,28 @@ Figure figure_of_fluid_history(const hdf5::Reader& file) {
   return figure;
 }
 
+Figure figure_of_trailing_edge(const hdf5::Reader& file) {
+  constexpr std::size_t components = 3, z_component = 2, stations_drawn = 4;
+  Figure figure;
+  figure.x.label = "{/:Italic tV}/{/:Italic L}";
+  figure.y.label = "{/:Italic z}/{/:Italic L} of the trailing edge";
+  const std::vector<double> t = column(file, file.read("/history"), "t");
+  const hdf5::Array edge = file.read("/trailing_edge");
+  const std::size_t planes = edge.shape[1], drawn = std::min(planes, stations_drawn);
+  for (std::size_t k = 0; k < drawn; ++k) {
+    const std::size_t m = k * planes / drawn;
+    Line line{t, {}, "", Stroke::solid, static_cast<int>(k), 1.2};
+    for (std::size_t row = 0; row < t.size(); ++row)
+      line.y.push_back(edge.values[(row * planes + m) * components + z_component]);
+    if (drawn > 1)
+      line.label = fmt::format(
+          "{{/:Italic x}} = {:.3g} {{/:Italic L}}",
+          file.number("/", "span", 1) * static_cast<double>(m) / static_cast<double>(planes));
+    figure.lines.push_back(std::move(line));
+  }
+  return figure;
+}
+
 Figure figure_of_fluid_fields(const hdf5::Reader& file) {
   const hdf5::Array points = file.read("/points"), omega = file.read("/omega_x");
   const std::size_t n_rho = *(omega.shape.end() - 2), n_theta = omega.shape.back();

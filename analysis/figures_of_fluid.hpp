@@ -9,6 +9,10 @@ namespace pennon::analysis {
 /// Drag and lift over time.
 Figure figure_of_fluid_history(const hdf5::Reader&);
 
+/// z of the trailing edge over time: of a coupled run at its first station, and with a span at
+/// those a quarter of it apart.
+Figure figure_of_trailing_edge(const hdf5::Reader&);
+
 /// The vorticity omega_x about the flag and in its wake, in the first plane.
 Figure figure_of_fluid_fields(const hdf5::Reader&);
 

@@ -38,6 +38,10 @@ std::vector<std::filesystem::path> plot(const std::filesystem::path& path) {
   std::vector<std::filesystem::path> pictures = draw(figure_of(path, file), stem);
   if (file.text("/", "kind") == "flag_shapes" && file.shape("/position/000000")[0] > 1)
     pictures.push_back(draw(picture_of_strain(file), stem.string() + "_strain"));
+  if (file.text("/", "kind") == "coupled_history")
+    for (const std::filesystem::path& picture :
+         draw(figure_of_trailing_edge(file), stem.string() + "_trailing_edge"))
+      pictures.push_back(picture);
   return pictures;
 }
 

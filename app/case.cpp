@@ -20,6 +20,7 @@ Case::Case() {
   declare(schema, lsa);
   declare(schema, modes);
   declare(schema, dns);
+  declare(schema, analysis);
 }
 
 Case::Case(const std::filesystem::path& file, std::span<const std::string> overrides,
@@ -36,6 +37,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
   check(lsa, flag, flow, faults);
   check(modes, flag, flow, faults);
   check(dns, flag, has_flow, faults);
+  check(analysis, faults);
   faults.raise();
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "analysis/settings.hpp"
 #include "common/case_reader.hpp"
 #include "common/parameters.hpp"
 #include "common/schema.hpp"
@@ -22,6 +23,7 @@ struct Case {
   lsa::Settings lsa;
   modes::Settings modes;
   dns::Settings dns;
+  analysis::Settings analysis;
 
   std::string name;  ///< of the file, without its ending
   Schema schema;     ///< bound to the members above, so a case does not move

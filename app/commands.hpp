@@ -1,6 +1,7 @@
 /// The commands of pennon, one function each; app/main.cpp reads the command line and calls them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,18 @@ void run_modes(const Options&);
 /// `pennon dns CASE`: direct simulation; so far of a flag by itself. `restart`: a checkpoint, or
 /// empty.
 void run_dns(const Options&, const std::string& restart);
+
+struct AnalyzeOptions {
+  std::string run;                 ///< the folder of the run
+  std::string output;              ///< empty: `analysis` in it
+  std::optional<double> from, to;  ///< of the linear phase, in place of the case's
+  bool json = false, quiet = false;
+  std::string command_line;
+};
+
+/// `pennon analyze RUN`: growth, limit cycle, phases and energies of a coupled run, with pictures.
+/// Throws InputError where RUN is none.
+void run_analyze(const AnalyzeOptions&);
 
 /// `pennon plot FILE...`: pictures beside the files. Prints their names unless quiet.
 void run_plot(const std::vector<std::string>& files, bool quiet);

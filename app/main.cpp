@@ -42,6 +42,16 @@ void add_case_options(CLI::App& command, app::Options& options) {
   command.add_flag("--quiet", options.quiet, "no progress and no summary");
 }
 
+void add_analyze_options(CLI::App& command, app::AnalyzeOptions& options) {
+  command.add_option("RUN", options.run, "the output folder of a coupled run of pennon dns")
+      ->required();
+  command.add_option("--output", options.output, "folder for the results [RUN/analysis]");
+  command.add_option("--from", options.from, "begin of the linear phase, in L/V [sought]");
+  command.add_option("--to", options.to, "its end [sought]");
+  command.add_flag("--json", options.json, "one JSON object on standard output");
+  command.add_flag("--quiet", options.quiet, "no summary");
+}
+
 std::string command_line(int argc, char** argv) {
   std::string text = "pennon";
   for (int i = 1; i < argc; ++i) text += fmt::format(" {}", argv[i]);
@@ -75,6 +85,14 @@ int run(int argc, char** argv) {
   dns->add_option("--restart", restart, "go on from this checkpoint");
   dns->footer("Example: pennon dns data/cases/flag/swinging_membrane.toml");
   dns->callback([&] { app::run_dns(options, restart); });
+
+  app::AnalyzeOptions analyze_options;
+  analyze_options.command_line = options.command_line;
+  CLI::App* analyze = app.add_subcommand(
+      "analyze", "what a coupled run says: growth, limit cycle, phases, energies, pictures");
+  add_analyze_options(*analyze, analyze_options);
+  analyze->footer("Example: pennon analyze results/C2D --from 2 --to 8");
+  analyze->callback([&] { app::run_analyze(analyze_options); });
 
   CLI::App* plot = app.add_subcommand("plot", "pictures of output files, beside them");
   plot->add_option("FILE", files, "HDF5 files that pennon wrote")->required();

@@ -1,5 +1,7 @@
-pennon_test(test_app LABEL regression SOURCES regression/app_commands.cpp regression/app_fluid.cpp regression/app_coupled.cpp
-            LINK pennon::common Boost::headers GTest::gmock)
+pennon_test(test_app LABEL regression
+            SOURCES regression/app_analyze.cpp regression/app_commands.cpp regression/app_coupled.cpp
+                    regression/app_fluid.cpp
+            LINK pennon::analysis Boost::headers GTest::gmock)
 target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
                            PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
 add_dependencies(test_app pennon)

@@ -1,0 +1,54 @@
+/// What a coupled run says, all of it: the work of `pennon analyze`.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/energy_budget.hpp"
+#include "analysis/flapping_phases.hpp"
+#include "analysis/limit_cycle.hpp"
+#include "analysis/linear_phase.hpp"
+#include "analysis/run_history.hpp"
+#include "analysis/settings.hpp"
+#include "analysis/spanwise_amplitudes.hpp"
+#include "analysis/travelling_wave.hpp"
+#include "common/output_folder.hpp"
+
+namespace pennon::analysis {
+
+struct RunAnalysis {
+  RunHistory run;
+  std::vector<Complexes> components;  ///< zeta_n of the trailing edge
+  LinearPhase linear;
+  LimitCycleResult limit_cycle;
+  Angles angles;
+  Phases phases;
+  EnergyBudget energy;
+
+  /// Why a number is not there, in sentences.
+  std::vector<std::string> notes() const;
+};
+
+/// What the analysis takes from the case, beside its settings.
+struct RunContext {
+  double U = 0;         ///< cross-flow
+  double release = 0;   ///< until when the flag is held where it starts
+  double kick_end = 0;  ///< when the kick after it is over; 0 without one
+};
+
+/// Throws InputError as read_run_history(), and where the window
+/// of the settings does not lie in the run.
+RunAnalysis analyze_run(const std::filesystem::path& folder, const Settings&, const RunContext&);
+
+/// The object of the key "analyze".
+nlohmann::ordered_json to_json(const RunAnalysis&);
+
+/// The same for a reader, without the notes.
+std::string text_of(const RunAnalysis&);
+
+/// Writes spanwise_amplitudes.csv, limit_cycle.csv and energy.csv. Throws FileError.
+void write_tables(const RunAnalysis&, const OutputFolder&);
+
+}  // namespace pennon::analysis
