@@ -5,3 +5,9 @@ pennon_test(test_app LABEL regression
 target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
                            PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
 add_dependencies(test_app pennon)
+pennon_test(test_coupled_validation LABEL validation SOURCES validation/coupled_cases.cpp
+            LINK pennon::common fmt::fmt Boost::headers GTest::gmock)
+target_compile_definitions(test_coupled_validation
+                           PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
+                                   PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
+add_dependencies(test_coupled_validation pennon)
