@@ -150,6 +150,8 @@ class Fluid {
   void find_convection();
   void subtract_equation(const FluidState&, std::size_t component, double* right);
   void add_force(const FluidState&, std::size_t component, double* right);
+  bool has_pressure_gradient(std::size_t component) const;
+  void find_pressure_gradient(const FluidState&, std::size_t component, Field<double>& gradient);
   void pose_projection(FluidState&);
   void impose_wall_flux();
   void balance_plane(int plane, const Field<double>& f, Field<double>* f_xi, bool with_wall_flux);
@@ -197,7 +199,7 @@ class Fluid {
   std::vector<Field<double>> change_, change_xi_;  // of two components; and to work in
   Field<double>&C_s_, &C_t_;  // what carries the velocity while it is predicted, in cells along s
                               // and t: in the places of the fluxes, which come after it
-  std::vector<Field<double>> guess_, gradient_;
+  std::vector<Field<double>> guess_;
   VelocityLines lines_;
   std::vector<double> right_, solution_;  // packed: the components one behind the other
 };
