@@ -119,7 +119,7 @@ class Fluid {
   const Field<double>& grid_velocity_z() const { return grid_velocity_z_; }
   /// Components as in FluidState::u, n_theta numbers for each plane.
   const std::vector<std::vector<double>>& wall_velocity() const { return wall_velocity_; }
-  /// Fluxes area . u through the faces, free of divergence.
+  /// Fluxes area . u through the faces, free of divergence; from the end of a step to the next.
   const Field<double>& flux_across_rho() const { return flux_rho_; }
   const Field<double>& flux_across_theta() const { return flux_theta_; }
 
