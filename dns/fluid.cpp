@@ -91,7 +91,6 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
   guess_.assign(static_cast<std::size_t>(components_), Field<double>(extent_));
   change_.assign(2, Field<double>(extent_));
   change_xi_.assign(2, span_.has_span() ? Field<double>(extent_) : Field<double>());
-  gradient_.assign(span_.has_span() ? 3 : 2, Field<double>(extent_));
   for (std::vector<double>* vector : {&right_, &solution_}) vector->resize(2 * extent_.cells());
 }
 
@@ -210,7 +209,6 @@ void Fluid::add_force(const FluidState& state, std::size_t component, double* ri
 
 // The velocity without the new pressure: convection extrapolated, viscosity implicit.
 void Fluid::predict(FluidState& state) {
-  const bool has_span = span_.has_span();
   is_inflow_ = state.is_inflow;
   for (std::size_t c = 0; c < guess_.size(); ++c)
     combine(step_.D.guess_last, state.u[c], step_.D.guess_before, state.u_last[c], guess_[c]);
@@ -218,10 +216,6 @@ void Fluid::predict(FluidState& state) {
   lines_.prepare(metrics_, C_s_, C_t_, step_.D.next, 1 / parameters_.Re);
   find_outer_pressure(state.u);
   extend_pressure(state.p);
-  if (has_span) span_.differentiate(state.p, change_xi_[0]);
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    gradient(metrics_, plane, state.p, has_span ? &change_xi_[0] : nullptr,
-             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   const std::size_t cells = extent_.cells();
   const auto solve = [&](Krylov& krylov, const Components& components) {
     const auto [first, end] = components;
@@ -293,10 +287,32 @@ void Fluid::carry_along_span() {
                    k * dt * ranks::largest(fastest) > little_convection;
 }
 
+// Without a span the pressure acts in the plane alone.
+bool Fluid::has_pressure_gradient(std::size_t component) const {
+  return component != along_x || span_.has_span();
+}
+
+// The gradient's component, of the pressure with its ghosts. Works in change_xi_[1].
+void Fluid::find_pressure_gradient(const FluidState& state, std::size_t component,
+                                   Field<double>& gradient) {
+  const std::array<const Field<double>*, 3> s = {&metrics_.s_y, &metrics_.s_z, &metrics_.s_x},
+                                            t = {&metrics_.t_y, &metrics_.t_z, &metrics_.t_x};
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    gradient_component(plane, *s[component], *t[component], state.p, gradient);
+  if (component != along_x) return;
+  Field<double>& p_xi = change_xi_[1];
+  span_.differentiate(state.p, p_xi);
+  for_each_row(extent_, [&](int plane, int j) {
+    const double* xi = p_xi.row(plane, j);
+    double* sum = gradient.row(plane, j);
+    for (int i = 0; i < extent_.n_theta; ++i) sum[i] += xi[i];
+  });
+}
+
 // Minus what the guess leaves of a component's equation, integrated over the cells.
 void Fluid::subtract_equation(const FluidState& state, std::size_t component, double* right) {
   const BackwardDifference& D = step_.D;
-  const bool has_span = span_.has_span(), has_gradient = component < gradient_.size();
+  const bool has_span = span_.has_span(), has_gradient = has_pressure_gradient(component);
   const auto c = static_cast<int>(component);
   Field<double>&f = guess_[component], &f_xi = change_xi_[0], &carried = change_[0];
   extend_velocity(state, c, f, false);
@@ -318,15 +334,17 @@ void Fluid::subtract_equation(const FluidState& state, std::size_t component, do
       for (int i = 0; i < extent_.n_theta; ++i) *to++ = balance_.row(0, j)[i] / parameters_.Re;
   }
   add_x_flux(1 / parameters_.Re, f_xi, right);
+  Field<double>& p_c = change_[1];
+  if (has_gradient) find_pressure_gradient(state, component, p_c);
   for_each_row(extent_, [&](int plane, int j) {
     const double *u = state.u[component].row(plane, j),
                  *u_last = state.u_last[component].row(plane, j);
     const double *guess = f.row(plane, j), *volume = metrics_.volume.row(plane, j);
     const double* convected = carried.row(plane, j);
-    const double* p_c = has_gradient ? gradient_[component].row(plane, j) : nullptr;
+    const double* push = has_gradient ? p_c.row(plane, j) : nullptr;
     for (int i = 0; i < extent_.n_theta; ++i)
       *right++ -= volume[i] * (D.next * guess[i] + D.last * u[i] + D.before * u_last[i] +
-                               convected[i] + (has_gradient ? p_c[i] : 0.0));
+                               convected[i] + (has_gradient ? push[i] : 0.0));
   });
 }
 
@@ -341,7 +359,10 @@ void Fluid::pose_projection(FluidState& state) {
   else
     find_outer_pressure(guess_);
   for (std::size_t c = 0; c < guess_.size(); ++c) {
-    if (!step_.is_start && c < gradient_.size()) combine(1, guess_[c], dt, gradient_[c], guess_[c]);
+    if (!step_.is_start && has_pressure_gradient(c)) {
+      find_pressure_gradient(state, c, change_[0]);
+      combine(1, guess_[c], dt, change_[0], guess_[c]);
+    }
     for (int plane = 0; plane < extent_.planes; ++plane) guess_[c].wrap_theta(plane, 0, n_rho);
   }
   const Field<double>* u_x = has_span ? &guess_[along_x] : nullptr;
@@ -455,15 +476,14 @@ FluidStepSummary Fluid::finish_step(FluidState& state) {
     for (int i = 0; i < n_theta; ++i) state.is_inflow[extent_.wall_face(plane, i)] = outer[i] < 0;
   }
   extend_pressure(state.p);
-  for (int plane = 0; plane < extent_.planes; ++plane)
-    gradient(metrics_, plane, state.p, slope,
-             {has_span ? &gradient_[along_x] : nullptr, &gradient_[along_y], &gradient_[along_z]});
   for (std::size_t c = 0; c < guess_.size(); ++c) {
     std::swap(state.u_last[c], state.u[c]);
-    if (c < gradient_.size())
-      combine(1, guess_[c], -dt, gradient_[c], state.u[c]);
-    else
+    if (has_pressure_gradient(c)) {
+      find_pressure_gradient(state, c, state.u[c]);
+      combine(1, guess_[c], -dt, state.u[c], state.u[c]);
+    } else {
       state.u[c] = guess_[c];
+    }
   }
   FluidStepSummary& summary = step_.summary;
   summary.CFL = ranks::largest(summary.CFL);

@@ -120,7 +120,7 @@ class Fluid {
   const Field<double>& grid_velocity_z() const { return grid_velocity_z_; }
   /// Components as in FluidState::u, n_theta numbers for each plane.
   const std::vector<std::vector<double>>& wall_velocity() const { return wall_velocity_; }
-  /// Fluxes area . u through the faces, free of divergence.
+  /// Fluxes area . u through the faces, free of divergence; from the end of a step to the next.
   const Field<double>& flux_across_rho() const { return flux_rho_; }
   const Field<double>& flux_across_theta() const { return flux_theta_; }
 
@@ -151,6 +151,8 @@ class Fluid {
   void find_convection();
   void subtract_equation(const FluidState&, std::size_t component, double* right);
   void add_force(const FluidState&, std::size_t component, double* right);
+  bool has_pressure_gradient(std::size_t component) const;
+  void find_pressure_gradient(const FluidState&, std::size_t component, Field<double>& gradient);
   void pose_projection(FluidState&);
   void impose_wall_flux();
   void balance_plane(int plane, const Field<double>& f, Field<double>* f_xi, bool with_wall_flux);
@@ -198,7 +200,7 @@ class Fluid {
   std::vector<Field<double>> change_, change_xi_;  // of two components; and to work in
   Field<double>&C_s_, &C_t_;  // what carries the velocity while it is predicted, in cells along s
                               // and t: in the places of the fluxes, which come after it
-  std::vector<Field<double>> guess_, gradient_;
+  std::vector<Field<double>> guess_;
   VelocityLines lines_;
   std::vector<double> right_, solution_;  // packed: the components one behind the other
 };

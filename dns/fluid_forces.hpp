@@ -6,7 +6,8 @@
 /// Momentum and kinetic energy are those of the disturbance v' = v - (U, 1, 0), which are finite
 /// however large the domain: with K = 1/2 int |v'|^2,
 ///
-///   dK/dt = -(force on the flag) . (v_w - stream) - 1/Re int |grad v|^2 - outer flux.
+///   dK/dt = -(force on the flag) . (v_w - stream) - 1/Re int |grad v|^2
+///           - int (u_n |v'|^2/2 + p v'_n) over the outer boundary.
 #pragma once
 
 #include <array>
@@ -45,9 +46,8 @@ struct FluidBudget {
   Vector3 momentum{};         ///< of the disturbance
   double dissipation = 0;     ///< rate
   double wall_power = 0;      ///< what the flag does on the fluid
-  double outer_power =
-      0;  ///< kinetic energy that enters through the outer boundary, less what leaves
-  Vector3 outer_force{};  ///< momentum that enters there
+  double outer_power = 0;     ///< what enters through the outer boundary, by flow and by pressure
+  Vector3 outer_force{};      ///< momentum that enters there
 };
 
 FluidBudget fluid_budget(const Fluid&, const FluidState&, const WallTraction&);

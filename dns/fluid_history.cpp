@@ -55,13 +55,16 @@ const std::array<HistoryColumn, fluid_columns>& columns_of_fluid_history() {
       {"kinetic", "kinetic energy of the velocity less the stream, in rho_f V^2 L^2 per span"},
       {"dissipation", "rate, in rho_f V^3 L per span"},
       {"wall_power", "of the flag on the fluid, in the same unit"},
-      {"outer_power", "kinetic energy entering through the outer boundary, in the same unit"},
+      {"outer_power",
+       "energy entering through the outer boundary, by flow and pressure, in the same unit"},
       {"energy_defect",
        "kinetic energy gained since the first row, less the integral of wall_power - dissipation + "
        "outer_power: the method's error, in rho_f V^2 L^2 per span"},
       {"momentum_y", "of the velocity less the stream, in rho_f V L^2 per span"},
       {"momentum_z", "of the velocity less the stream, in rho_f V L^2 per span"},
-      {"outer_force_y", "momentum entering through the outer boundary, in rho_f V^2 L per span"},
+      {"outer_force_y",
+       "momentum entering through the outer boundary, by flow and pressure, in rho_f V^2 L per "
+       "span"},
       {"pressure_iterations", "of the step"},
       {"velocity_iterations", "of the step, the most of a component"},
       {"grid_passes", "of the step, the most of a plane"},

@@ -1,6 +1,8 @@
 #include "dns/krylov.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "common/petsc.hpp"
 
@@ -19,45 +21,68 @@ namespace {
 
 constexpr const char* space_of_vector = "pennon_krylov_space";
 
-// What the vectors of a solver have in common: their space, and how many it has been asked for.
+// What the vectors of a solver have in common: their space, and which places of it they hold.
 struct SharedVectors {
   std::shared_ptr<KrylovSpace> space;
-  std::size_t count = 0;
+  std::vector<bool> is_taken;
+
+  std::size_t take() {
+    const auto free = std::ranges::find(is_taken, false);
+    const auto place = static_cast<std::size_t>(free - is_taken.begin());
+    if (free == is_taken.end())
+      is_taken.push_back(true);
+    else
+      *free = true;
+    return place;
+  }
 };
+
+// A vector's hold on its place, or (the solver's own right side and solution) on none.
+struct Hold {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  SharedVectors* vectors;
+  std::size_t place;
+};
+
+PetscErrorCode release(void* hold) {
+  const std::unique_ptr<Hold> owned(static_cast<Hold*>(hold));
+  if (owned->place != Hold::none) owned->vectors->is_taken[owned->place] = false;
+  return 0;
+}
 
 PetscErrorCode duplicate_in_space(Vec like, Vec* vector);
 
-PetscErrorCode keep_in_space(Vec vector, PetscObject container) {
-  PetscErrorCode code =
-      PetscObjectCompose(reinterpret_cast<PetscObject>(vector), space_of_vector, container);
-  if (code != 0) return code;
-  return VecSetOperation(vector, VECOP_DUPLICATE,
-                         reinterpret_cast<void (*)()>(&duplicate_in_space));
+// Lets a vector be duplicated in the space, and holds its place in it while the vector lives.
+void keep_in_space(Vec vector, std::unique_ptr<Hold> hold) {
+  petsc::Handle<PetscContainer, PetscContainerDestroy> container;
+  const auto object = reinterpret_cast<PetscObject>(vector);
+  check(PetscContainerCreate(PetscObjectComm(object), container.address()));
+  check(PetscContainerSetUserDestroy(container, &release));
+  check(PetscContainerSetPointer(container, hold.release()));
+  check(PetscObjectCompose(object, space_of_vector,
+                           reinterpret_cast<PetscObject>(static_cast<PetscContainer>(container))));
+  check(
+      VecSetOperation(vector, VECOP_DUPLICATE, reinterpret_cast<void (*)()>(&duplicate_in_space)));
 }
 
 // VecDuplicate for the vectors of a solver.
 PetscErrorCode duplicate_in_space(Vec like, Vec* vector) {
-  PetscObject container = nullptr;
-  void* pointer = nullptr;
-  PetscInt local = 0, total = 0;
-  PetscErrorCode code =
-      PetscObjectQuery(reinterpret_cast<PetscObject>(like), space_of_vector, &container);
-  if (code == 0)
-    code = PetscContainerGetPointer(reinterpret_cast<PetscContainer>(container), &pointer);
-  if (code == 0) code = VecGetLocalSize(like, &local);
-  if (code == 0) code = VecGetSize(like, &total);
-  if (code != 0) return code;
-  auto& shared = *static_cast<SharedVectors*>(pointer);
-  std::exception_ptr no_memory;
-  double* array = nullptr;
-  code = petsc::guarded(no_memory, [&] {
-    array = shared.space->vector(shared.count++, static_cast<std::size_t>(local));
+  std::exception_ptr caught;  // PETSc says the rest
+  return petsc::guarded(caught, [&] {
+    PetscObject container = nullptr;
+    void* pointer = nullptr;
+    PetscInt local = 0, total = 0;
+    const auto object = reinterpret_cast<PetscObject>(like);
+    check(PetscObjectQuery(object, space_of_vector, &container));
+    check(PetscContainerGetPointer(reinterpret_cast<PetscContainer>(container), &pointer));
+    check(VecGetLocalSize(like, &local));
+    check(VecGetSize(like, &total));
+    SharedVectors* vectors = static_cast<Hold*>(pointer)->vectors;
+    auto hold = std::make_unique<Hold>(Hold{vectors, vectors->take()});
+    double* array = vectors->space->vector(hold->place, static_cast<std::size_t>(local));
+    check(VecCreateMPIWithArray(PetscObjectComm(object), 1, local, total, array, vector));
+    keep_in_space(*vector, std::move(hold));
   });
-  if (code == 0)
-    code = VecCreateMPIWithArray(PetscObjectComm(reinterpret_cast<PetscObject>(like)), 1, local,
-                                 total, array, vector);
-  if (code == 0) code = keep_in_space(*vector, container);
-  return code;
 }
 
 }  // namespace
@@ -65,9 +90,9 @@ PetscErrorCode duplicate_in_space(Vec like, Vec* vector) {
 struct Krylov::Implementation {
   Operator A, inverse_M;
   std::exception_ptr caught;
+  SharedVectors shared;  // outlives the vectors
   petsc::Matrix matrix;
   petsc::KrylovMethod method;
-  SharedVectors shared;
   petsc::Vector b, x;
   double root_unknowns = 1;
 
@@ -126,17 +151,10 @@ Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Opera
   check(PCShellSetContext(preconditioner, &self));
   check(PCShellSetApply(preconditioner, &Implementation::precondition));
   check(KSPSetFromOptions(self.method));
-  PetscBool is_gmres = PETSC_FALSE;
-  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(static_cast<KSP>(self.method)),
-                               KSPGMRES, &is_gmres));
-  if (!space || !is_gmres || unknowns == 0) return;
+  if (!space || unknowns == 0) return;
   self.shared.space = std::move(space);
-  petsc::Handle<PetscContainer, PetscContainerDestroy> container;
-  check(PetscContainerCreate(comm, container.address()));
-  check(PetscContainerSetPointer(container, &self.shared));
   for (const Vec vector : {static_cast<Vec>(self.b), static_cast<Vec>(self.x)})
-    check(keep_in_space(vector,
-                        reinterpret_cast<PetscObject>(static_cast<PetscContainer>(container))));
+    keep_in_space(vector, std::make_unique<Hold>(Hold{&self.shared, Hold::none}));
 }
 
 Krylov::~Krylov() = default;

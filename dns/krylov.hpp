@@ -42,7 +42,7 @@ class Krylov {
   };
 
   /// `unknowns` of this rank. The method is GMRES unless PETSc's options say otherwise.
-  /// GMRES keeps its vectors in `space` where there is one; solvers that share it must not be
+  /// The method keeps its vectors in `space` where there is one; solvers that share it must not be
   /// called from one another.
   Krylov(std::size_t unknowns, const Settings&, Operator A, Operator inverse_M,
          std::shared_ptr<KrylovSpace> space = nullptr);

@@ -146,6 +146,21 @@ void gradient(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
   }
 }
 
+/// One component of grad f at the cells of a plane, from that of grad s and grad t: along y and z
+/// as gradient() gives it, along x without f_xi.
+template <class Scalar>
+void gradient_component(int plane, const Field<Scalar>& grad_s, const Field<Scalar>& grad_t,
+                        const Field<Scalar>& f, Field<Scalar>& result) {
+  for (int j = 0; j < f.extent().n_rho; ++j) {
+    const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j),
+                 *above = f.row(plane, j + 1);
+    const Scalar *s = grad_s.row(plane, j), *t = grad_t.row(plane, j);
+    Scalar* out = result.row(plane, j);
+    for (int i = 0; i < f.extent().n_theta; ++i)
+      out[i] = s[i] * (0.5 * (above[i] - below[i])) + t[i] * (0.5 * (here[i + 1] - here[i - 1]));
+  }
+}
+
 /// C_s f_s + C_t f_t at the cells of a plane: f carried by the velocity (C_s, C_t) in cells per
 /// time, into the first plane of `result`.
 template <class Scalar>
