@@ -11,6 +11,7 @@
 #include "common/errors.hpp"
 #include "common/ranks.hpp"
 #include "dns/packing.hpp"
+#include "dns/schedule.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -95,8 +96,9 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
 }
 
 double Fluid::stream(int component) const {
-  if (component == along_x) return parameters_.U;
-  return component == along_y ? 1.0 : 0.0;
+  const double share = smooth_rise(step_.t, parameters_.ramp);
+  if (component == along_x) return share * parameters_.U;
+  return component == along_y ? share : 0.0;
 }
 
 void Fluid::fail(double t, const std::string& what) const {
@@ -336,6 +338,9 @@ void Fluid::subtract_equation(const FluidState& state, std::size_t component, do
   add_x_flux(1 / parameters_.Re, f_xi, right);
   Field<double>& p_c = change_[1];
   if (has_gradient) find_pressure_gradient(state, component, p_c);
+  // What drives the stream drives all of the fluid alike.
+  const double drive =
+      step_.rise_of_stream * (c == along_x ? parameters_.U : (c == along_y ? 1.0 : 0.0));
   for_each_row(extent_, [&](int plane, int j) {
     const double *u = state.u[component].row(plane, j),
                  *u_last = state.u_last[component].row(plane, j);
@@ -344,7 +349,7 @@ void Fluid::subtract_equation(const FluidState& state, std::size_t component, do
     const double* push = has_gradient ? p_c.row(plane, j) : nullptr;
     for (int i = 0; i < extent_.n_theta; ++i)
       *right++ -= volume[i] * (D.next * guess[i] + D.last * u[i] + D.before * u_last[i] +
-                               convected[i] + (has_gradient ? push[i] : 0.0));
+                               convected[i] + (has_gradient ? push[i] : 0.0) - drive);
   });
 }
 
@@ -427,7 +432,11 @@ void Fluid::set_wall_velocity(std::size_t component, std::span<const double> vel
 }
 
 void Fluid::begin_step(FluidState& state, const WallShape& wall, double dt) {
-  step_ = {BackwardDifference(dt, state.previous_dt), state.t + dt, dt, false, false, {}};
+  step_ = {BackwardDifference(dt, state.previous_dt), state.t + dt, dt, 0, false, false, {}};
+  if (parameters_.ramp > 0)
+    step_.rise_of_stream = step_.D.derivative(
+        smooth_rise(state.t + dt, parameters_.ramp), smooth_rise(state.t, parameters_.ramp),
+        smooth_rise(state.t - state.previous_dt, parameters_.ramp));
   StopWatch watch;
   move_grid(state, wall);
   find_grid_velocity(state);
@@ -505,6 +514,7 @@ FluidStepSummary Fluid::advance(FluidState& state, const WallMotion& wall, doubl
 FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   FluidState state;
   state.t = t;
+  step_ = {BackwardDifference(1, 0), t, 1, 0, false, true, {}};
   state.grid.assign(3, Displacement<double>(extent_));
   wall(t, wall_);
   bool fits = true;
@@ -529,7 +539,6 @@ FluidState Fluid::impulsive_start(const WallMotion& wall, double t) {
   }
   state.p = state.p_last = Field<double>(extent_);
   state.is_inflow.resize(extent_.wall_faces());
-  step_ = {BackwardDifference(1, 0), t, 1, false, true, {}};
   solve_pressure(state, tolerances_.pressure);
   finish_step(state);
   state.previous_dt = 0;

@@ -124,6 +124,7 @@ class Fluid {
   const Field<double>& flux_across_rho() const { return flux_rho_; }
   const Field<double>& flux_across_theta() const { return flux_theta_; }
 
+  /// The stream's velocity at the end of the step that is or was last taken.
   double stream(int component) const;
   /// Fills the ghosts of a velocity component for convection, or (is_viscous) for the gradient's
   /// flux: at the flag its velocity, outside as dns/ghosts.hpp has it. For convection it is one of
@@ -140,7 +141,8 @@ class Fluid {
   // Between begin_step() and finish_step().
   struct Step {
     BackwardDifference D{1, 0};
-    double t = 0, dt = 1;  // at its end, and its length
+    double t = 0, dt = 1;       // at its end, and its length
+    double rise_of_stream = 0;  // d/dt of its share of V, by D
     bool is_posed = false;
     bool is_start = false;  // from the uniform stream: there is no pressure yet
     FluidStepSummary summary;

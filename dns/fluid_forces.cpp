@@ -138,7 +138,7 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
   const Metrics<double>& metrics = fluid.metrics();
   const bool has_span = fluid.span().has_span();
   const double share = 1.0 / fluid.span().planes(), nu = 1 / fluid.parameters().Re;
-  const Vector3 stream = {fluid.parameters().U, 1, 0};
+  const Vector3 stream = {fluid.stream(2), fluid.stream(0), 0};
   const std::array<const Field<double>*, 3> outer_areas = {nullptr, &metrics.rho_faces.area_y,
                                                            &metrics.rho_faces.area_z};
   FluidBudget budget;

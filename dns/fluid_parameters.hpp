@@ -5,7 +5,8 @@ namespace pennon::dns {
 
 struct FluidParameters {
   double Re = 1000;
-  double U = 0;  ///< cross-flow, over V
+  double U = 0;     ///< cross-flow, over V
+  double ramp = 0;  ///< time over which the stream rises from rest, in L/V; 0: it is there at once
 };
 
 struct FluidTolerances {

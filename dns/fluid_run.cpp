@@ -160,9 +160,9 @@ class FluidRun {
   }
 
   std::string words_of_step() const {
-    std::string words = fmt::format("step {} at t = {:.4g}, CFL {:.2f}, {} pressure iterations",
-                                    step_, state().t, last_step_.fluid.CFL,
-                                    last_step_.fluid.pressure_iterations);
+    std::string words =
+        fmt::format("step {} at t = {:.4g}, CFL {:.2f}, {} pressure iterations", step_, state().t,
+                    last_step_.fluid.CFL, last_step_.fluid.pressure_iterations);
     if (last_step_.passes > 0) words += fmt::format(", {} coupling passes", last_step_.passes);
     return words;
   }
@@ -306,7 +306,7 @@ Fluid fluid_of(const Settings& settings, const FlagParameters& flag, const FlowP
                            fluid.wall_spacing, fluid.wake_clustering};
   return {OGrid(grid),
           span_of(settings, flag),
-          {flow.Re, flow.U},
+          {flow.Re, flow.U, settings.initial.ramp},
           fluid.tolerances,
           upwinding_of(fluid.convection)};
 }

@@ -3,17 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "dns/schedule.hpp"
+
 namespace pennon::dns {
 namespace {
 
 using std::numbers::pi;
-
-// From 0 to 1 with two continuous derivatives.
-double ramp(double t, double duration) {
-  if (t >= duration) return 1;
-  const double s = t / duration;
-  return s - std::sin(2 * pi * s) / (2 * pi);
-}
 
 }  // namespace
 
@@ -26,7 +21,7 @@ WallMotion prescribed_motion(const MotionSettings& motion, const OGrid& grid, co
       span.has_span() ? 2 * pi * static_cast<double>(motion.waves) / span.length() : 0.0;
   return [motion, zeta, chord, stations, k_x](double t, WallShape& shape) {
     const double omega = 2 * pi * motion.frequency;
-    const double amplitude = motion.amplitude * ramp(t, motion.ramp);
+    const double amplitude = motion.amplitude * smooth_rise(t, motion.ramp);
     std::size_t corner = 0;
     for (const double x : stations) {
       const double local = amplitude * std::cos(k_x * x);

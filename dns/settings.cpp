@@ -157,6 +157,9 @@ void declare(Schema& schema, Settings& settings) {
             "largest displacement of a normal mode of the family of [modes.normal], in L"})
       .key({"n", &settings.initial.n, "waves along the span of that mode", Range{0, 200}})
       .key({"m", &settings.initial.m, "rank along the chord of that mode", Range{1, 200}})
+      .key({"ramp", &settings.initial.ramp,
+            "time over which the stream rises from rest, in L/V; 0: it starts at once",
+            not_negative})
       .key({"release", &settings.initial.release,
             "time until which a flag in the flow is held where it starts, while the flow develops; "
             "in L/V",

@@ -49,6 +49,7 @@ struct InitialSettings {
   double plate_mode = 0;       ///< amplitude of sin(pi x/gamma) sin(pi y)
   double mode_amplitude = 0;   ///< of a normal mode, at its largest
   std::int64_t n = 0, m = 1;   ///< of that mode: waves along the span, rank along the chord
+  double ramp = 0;             ///< time over which the stream rises
   double release = 0;          ///< time until which a flag in the flow is held
   double kick = 0;             ///< momentum per area given to its trailing edge, rho_f V L
   double kick_duration = 0.1;  ///< in L/V

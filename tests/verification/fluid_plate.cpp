@@ -228,5 +228,23 @@ TEST(CrossFlow, IsLinear) {
   });
 }
 
+// A stream that rises smoothly: far from the plate it is all there is, and once it has risen the
+// plate forgets how.
+TEST(Plate, ForgetsHowTheStreamRose) {
+  FluidCase settings;
+  settings.grid = {30, 60, 8, 0.03, 0};
+  settings.parameters = {.Re = 200, .ramp = 1};
+  FluidRun rising(settings);
+  settings.parameters.ramp = 0;
+  FluidRun at_once(settings);
+  rising.run_to(0.5, 0.01);
+  EXPECT_NEAR(rising.state().u[0].row(0, 29)[15], 0.5, 0.01);
+  EXPECT_NEAR(rising.state().u[0].row(0, 29)[45], 0.5, 0.01);
+  EXPECT_LT(rising.force()[1], 0.5);
+  rising.run_to(15, 0.02);
+  at_once.run_to(15, 0.02);
+  EXPECT_NEAR(rising.force()[1] / at_once.force()[1], 1, 2e-3);
+}
+
 }  // namespace
 }  // namespace pennon::dns
