@@ -19,7 +19,8 @@ class Progress {
   /// `detail`, where there is one, gives what to say beside the time left; it is called when there
   /// is something to show.
   void advance_to(std::int64_t done, const std::function<std::string()>& detail = {});
-  /// Work that goes on where `done` was reached before: the time left is told from what is done now.
+  /// Work that goes on where `done` was reached before: the time left is told from what is done
+  /// now.
   void begin_at(std::int64_t done) { begun_at_ = done; }
 
  private:
