@@ -12,6 +12,7 @@
 #include "common/petsc.hpp"
 #include "common/ranks.hpp"
 #include "dns/coupling.hpp"
+#include "dns/initial_shape.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -45,13 +46,8 @@ struct Run {
 Run<2>& flapping_flag() {
   static Run<2> run(1, {});
   if (run.state.fluid.t == 0) {
-    NodeVectors<2> x = run.flag.rest();
-    for (int j = 1; j < x.cols(); ++j) {
-      x(1, j) = 0.05 * x(0, j) * x(0, j);
-      x(0, j) = x(0, j - 1) + std::sqrt(std::pow(run.flag.mesh().dy(j - 1), 2) -
-                                        std::pow(x(1, j) - x(1, j - 1), 2));
-    }
-    run.state = run.coupling.start(x, 0);
+    const auto bent = [](double, double y) { return 0.05 * y * y; };
+    run.state = run.coupling.start(initial_shape<2>({}, bent, run.flag.mesh()), 0);
     for (double h = dt / 20; run.state.fluid.t < flapping; h = std::min(1.2 * h, dt))
       run.coupling.advance(run.state, h);
   }

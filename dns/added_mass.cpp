@@ -92,15 +92,17 @@ AddedMass<dim>::AddedMass(const OGrid& grid, const FlagMesh& mesh, double mu)
   }
 }
 
+// Each wave along the span times its matrix (transposed), in place.
 template <int dim>
-void AddedMass<dim>::respond(const SegmentValues& flux, SegmentValues& jump) const {
-  coefficients_.noalias() = to_waves_ * flux;
-  jump_.resize(stations_, segments_);
+void AddedMass<dim>::multiply_waves(const std::vector<Eigen::MatrixXd>& matrices,
+                                    SegmentValues& values) const {
+  coefficients_.noalias() = to_waves_ * values;
+  products_.resize(stations_, segments_);
   for (int k = 0; k < stations_; ++k)
-    jump_.row(k).noalias() =
+    products_.row(k).noalias() =
         coefficients_.row(k) *
-        response_[static_cast<std::size_t>(waves_[static_cast<std::size_t>(k)])];
-  jump.noalias() = to_waves_.transpose() * jump_;
+        matrices[static_cast<std::size_t>(waves_[static_cast<std::size_t>(k)])];
+  values.noalias() = to_waves_.transpose() * products_;
 }
 
 template <int dim>
@@ -117,8 +119,8 @@ void AddedMass<dim>::find_flux(const NodeVectors<dim>& acceleration, SegmentValu
 
 template <int dim>
 void AddedMass<dim>::find_jump(const NodeVectors<dim>& acceleration, SegmentValues& jump) const {
-  find_flux(acceleration, flux_);
-  respond(flux_, jump);
+  find_flux(acceleration, jump);
+  multiply_waves(response_, jump);
 }
 
 template <int dim>
@@ -170,13 +172,8 @@ void AddedMass<dim>::precondition(const double* in, double* out) {
   vectors_ = r * inverse_mass_.asDiagonal();
   SegmentValues jump;
   find_jump(vectors_, jump);
-  coefficients_.noalias() = to_waves_ * jump;
-  jump_.resize(stations_, segments_);
-  for (int k = 0; k < stations_; ++k)
-    jump_.row(k).noalias() =
-        coefficients_.row(k) *
-        preconditioner_[static_cast<std::size_t>(waves_[static_cast<std::size_t>(k)])];
-  jump.noalias() = -to_waves_.transpose() * jump_;
+  multiply_waves(preconditioner_, jump);
+  jump = -jump;
   add_force(jump, r);
   tangent_->clear_held(r);
   tangent_->solve_roughly(r);

@@ -64,7 +64,7 @@ class AddedMass {
   static constexpr double solution_error = 1e-4;
 
  private:
-  void respond(const SegmentValues& flux, SegmentValues& jump) const;
+  void multiply_waves(const std::vector<Eigen::MatrixXd>& matrices, SegmentValues& values) const;
   void find_flux(const NodeVectors<dim>& acceleration, SegmentValues& flux) const;
   void multiply(const double* in, double* out);
   void precondition(const double* in, double* out);
@@ -81,7 +81,7 @@ class AddedMass {
   TangentMatrix<dim>* tangent_ = nullptr;  // during solve()
   double mass_factor_ = 0;
   mutable NodeVectors<dim> vectors_;
-  mutable SegmentValues flux_, jump_, coefficients_;
+  mutable SegmentValues coefficients_, products_;
 };
 
 }  // namespace pennon::dns

@@ -14,17 +14,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A tangent serves until an iteration shrinks the error by less than this; along the chord alone
-// factoring costs no more than a solution.
-template <int dim>
-constexpr double contraction = dim == 2 ? 0.0 : 0.1;
-
 // The grid's wall is led back to the flag, from which it strays by what the extrapolation misses,
 // at this rate, in V/L.
 constexpr double rate_of_return = 1;
-
-// Where FluidState::u keeps the velocity along x, y, z.
-constexpr std::array<std::size_t, 3> component_of = {2, 0, 1};
 
 }  // namespace
 
@@ -58,7 +50,7 @@ Coupling<dim>::Coupling(Fluid& fluid, const Flag<dim>& flag,
       grid_(fluid.grid()),
       settings_(settings),
       added_mass_(fluid.grid(), flag.mesh(), flag.material().mu),
-      newton_(flag, {.contraction = contraction<dim>}),
+      newton_(flag, {.contraction = usual_contraction<dim>}),
       acceleration_(Eigen::Index{flag.mesh().stations()} * (flag.mesh().chord_nodes() - 1),
                     static_cast<int>(settings.most_passes)),
       stations_(flag.mesh().stations()),
@@ -109,11 +101,11 @@ NodeVectors<dim> Coupling<dim>::velocity_ahead(const CoupledState<dim>& state,
 // extrapolated.
 template <int dim>
 WallShape Coupling<dim>::wall_ahead(const CoupledState<dim>& state,
+                                    const NodeVectors<dim>& velocity,
                                     const BackwardDifference& D) const {
   const Extent& extent = fluid_.extent();
   const WallShape flag = wall_of(state.flag.x);
   WallShape wall = flag;
-  const NodeVectors<dim> velocity = velocity_ahead(state, D);
   for (int plane = 0; plane < extent.planes; ++plane)
     for (int i = 0; i < extent.n_theta; ++i) {
       const int j = std::abs(extent.n_theta / 2 - i);
@@ -131,17 +123,31 @@ WallShape Coupling<dim>::wall_ahead(const CoupledState<dim>& state,
   return wall;
 }
 
+// Appends to `values` for each segment, upper face and lower face of the planes here; those of all
+// ranks.
+template <int dim>
+template <class Append>
+std::vector<double> Coupling<dim>::gather(const Append& append) const {
+  const Extent& extent = fluid_.extent();
+  std::vector<double> values;
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int s = 0; s < segments_; ++s)
+      append(extent.wall_face(plane, upper_face(extent.n_theta, s)),
+             extent.wall_face(plane, lower_face(extent.n_theta, s)), values);
+  return ranks::gather_all(values);
+}
+
 // Of the segments, as their upper faces have them.
 template <int dim>
 NodeVectors<dim> Coupling<dim>::areas() const {
   const FaceMetrics<double>& faces = fluid_.metrics().rho_faces;
   const std::array<const Field<double>*, 3> along = {&faces.area_x, &faces.area_y, &faces.area_z};
-  std::vector<double> local;
-  for (int plane = 0; plane < fluid_.extent().planes; ++plane)
-    for (int s = 0; s < segments_; ++s)
-      for (std::size_t axis = 3 - dim; axis < 3; ++axis)
-        local.push_back(along[axis]->row(plane, 0)[upper_face(grid_.n_theta(), s)]);
-  const std::vector<double> all = ranks::gather_all(local);
+  const auto n_theta = static_cast<std::size_t>(grid_.n_theta());
+  const std::vector<double> all =
+      gather([&](std::size_t upper, std::size_t, std::vector<double>& values) {
+        for (std::size_t axis = 3 - dim; axis < 3; ++axis)
+          values.push_back(along[axis]->row(static_cast<int>(upper / n_theta), 0)[upper % n_theta]);
+      });
   return Eigen::Map<const NodeVectors<dim>>(all.data(), dim, Eigen::Index{stations_} * segments_);
 }
 
@@ -149,16 +155,11 @@ NodeVectors<dim> Coupling<dim>::areas() const {
 template <int dim>
 NodeVectors<dim> Coupling<dim>::fixed_forces() const {
   const WallTraction traction = wall_friction(fluid_, fluid_.predicted_velocity());
-  std::vector<double> local;
-  for (int plane = 0; plane < fluid_.extent().planes; ++plane)
-    for (int s = 0; s < segments_; ++s)
-      for (std::size_t axis = 3 - dim; axis < 3; ++axis) {
-        const auto on = [&](int face) {
-          return traction.force[axis][fluid_.extent().wall_face(plane, face)];
-        };
-        local.push_back(on(upper_face(grid_.n_theta(), s)) + on(lower_face(grid_.n_theta(), s)));
-      }
-  const std::vector<double> all = ranks::gather_all(local);
+  const std::vector<double> all =
+      gather([&](std::size_t upper, std::size_t lower, std::vector<double>& values) {
+        for (std::size_t axis = 3 - dim; axis < 3; ++axis)
+          values.push_back(traction.force[axis][upper] + traction.force[axis][lower]);
+      });
   const double half = 0.5 * (dim == 2 ? 1.0 : flag_.mesh().dx());
   NodeVectors<dim> forces = outer_force_;
   if (forces.size() == 0) forces.setZero(dim, flag_.mesh().nodes());
@@ -176,12 +177,10 @@ NodeVectors<dim> Coupling<dim>::fixed_forces() const {
 template <int dim>
 SegmentValues Coupling<dim>::jump(const FluidState& state) const {
   const std::vector<double> pressure = wall_pressure(state.p);
-  std::vector<double> local;
-  for (int plane = 0; plane < fluid_.extent().planes; ++plane)
-    for (int s = 0; s < segments_; ++s)
-      local.push_back(pressure[fluid_.extent().wall_face(plane, lower_face(grid_.n_theta(), s))] -
-                      pressure[fluid_.extent().wall_face(plane, upper_face(grid_.n_theta(), s))]);
-  const std::vector<double> all = ranks::gather_all(local);
+  const std::vector<double> all =
+      gather([&](std::size_t upper, std::size_t lower, std::vector<double>& values) {
+        values.push_back(pressure[lower] - pressure[upper]);
+      });
   return Eigen::Map<const SegmentValues>(all.data(), stations_, segments_);
 }
 
@@ -240,9 +239,10 @@ template <int dim>
 CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   const BackwardDifference D(dt, state.fluid.previous_dt);
   CoupledStepSummary summary;
-  move_wall(velocity_ahead(state, D));  // along x, where the grid does not follow
-  fluid_.begin_step(state.fluid, wall_ahead(state, D), dt);
-  const NodeVectors<dim> fixed = fixed_forces();
+  const NodeVectors<dim> velocity = velocity_ahead(state, D);
+  move_wall(velocity);  // along x, where the grid does not follow
+  fluid_.begin_step(state.fluid, wall_ahead(state, velocity, D), dt);
+  NodeVectors<dim> fixed = fixed_forces();
   added_mass_.set_areas(areas());
   equation_.pose(state.flag, D, dt);
   // An error of the positions is one of the jump, mass_factor (mu + added mass) times as large.
@@ -250,9 +250,9 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   newton_.set_tolerance(std::max(0.2 * settings_.tolerance / equation_.mass_factor, rounding));
   const double pressure_tolerance =
       std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
-  SegmentValues g = guessed_jump(state, D);
+  SegmentValues g = guessed_jump(state, D), found;
   // The positions that the extrapolated velocity leads to.
-  x_ = (velocity_ahead(state, D) - equation_.velocity_rest) / D.next - state.flag.x;
+  x_ = (velocity - equation_.velocity_rest) / D.next - state.flag.x;
   flag_.clear_held(x_);
   x_ += state.flag.x;
   acceleration_.restart();
@@ -263,7 +263,8 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
     fluid_.solve_pressure(state.fluid, pressure_tolerance);
     SegmentValues change;
     added_mass_.find_jump(a_, change);
-    change += jump(state.fluid) - g;
+    found = jump(state.fluid);
+    change += found - g;
     summary.residual = root_mean_square(change) / std::max(1.0, root_mean_square(g));
     if (summary.residual <= settings_.tolerance) break;
     if (summary.passes == settings_.most_passes || !std::isfinite(summary.residual))
@@ -279,17 +280,17 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
                           Eigen::Map<Eigen::VectorXd>(change.data(), change.size()));
     g = g.cwiseQuotient(weights_).eval();
   }
+  added_mass_.add_force(found, fixed);
   accept(state, fixed, g);
   summary.fluid = fluid_.finish_step(state.fluid);
   return summary;
 }
 
+// The step as the last pass left it; `force`: of the fluid and outer_force_ on the nodes.
 template <int dim>
-void Coupling<dim>::accept(CoupledState<dim>& state, const NodeVectors<dim>& fixed,
+void Coupling<dim>::accept(CoupledState<dim>& state, const NodeVectors<dim>& force,
                            const SegmentValues& g) {
   FlagState<dim>& flag = state.flag;
-  NodeVectors<dim> force = fixed;
-  added_mass_.add_force(jump(state.fluid), force);
   const double power = force.cwiseProduct(v_).sum();
   flag.work += equation_.dt * (state.power + power) / 2;
   flag.dissipated += flag_.stretch().dissipated(flag.x, x_, equation_.dt);

@@ -61,10 +61,12 @@ class Coupling {
   void forget_tangent() { newton_.forget_tangent(); }
 
  private:
-  int corner(int node) const { return grid_.n_theta() / 2 - node; }
   WallShape wall_of(const NodeVectors<dim>& x) const;
   NodeVectors<dim> velocity_ahead(const CoupledState<dim>&, const BackwardDifference&) const;
-  WallShape wall_ahead(const CoupledState<dim>&, const BackwardDifference&) const;
+  WallShape wall_ahead(const CoupledState<dim>&, const NodeVectors<dim>& velocity,
+                       const BackwardDifference&) const;
+  template <class Append>
+  std::vector<double> gather(const Append&) const;
   NodeVectors<dim> areas() const;
   NodeVectors<dim> fixed_forces() const;
   SegmentValues jump(const FluidState&) const;
@@ -73,7 +75,7 @@ class Coupling {
   void solve_flag(const CoupledState<dim>&, const NodeVectors<dim>& fixed, const SegmentValues& g,
                   CoupledStepSummary&);
   double root_mean_square(const SegmentValues&) const;
-  void accept(CoupledState<dim>&, const NodeVectors<dim>& fixed, const SegmentValues& g);
+  void accept(CoupledState<dim>&, const NodeVectors<dim>& force, const SegmentValues& g);
 
   Fluid& fluid_;
   const Flag<dim>& flag_;

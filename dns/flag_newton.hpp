@@ -22,6 +22,11 @@ struct NewtonSettings {
   double contraction = 0;
 };
 
+/// A tangent serves until an iteration shrinks the error by less than this; along the chord alone
+/// factoring costs no more than a solution, and every iteration has its own.
+template <int dim>
+inline constexpr double usual_contraction = dim == 2 ? 0.0 : 0.1;
+
 struct StepSummary {
   int iterations = 0;  ///< of Newton's method, all parts of the step together
   int factorisations = 0;

@@ -22,11 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A factored tangent serves until an iteration shrinks the error by less than this; along the chord
-// alone factoring costs no more than a solution, and every iteration has its own.
-template <int dim>
-constexpr double contraction = dim == 2 ? 0.0 : 0.1;
-
 template <int dim>
 Eigen::Matrix<double, dim, 1> components(const std::array<double, 3>& vector) {
   return Eigen::Map<const Eigen::Vector3d>(vector.data()).template tail<dim>();
@@ -100,7 +95,7 @@ class FlagRun {
         loads_(loads_of(settings, parameters, flag_)),
         probe_(nearest_node(flag_.mesh(), settings.output.probe_x, settings.output.probe_y)),
         stepper_(flag_, settings.flag.scheme,
-                 {.tolerance = settings.flag.tolerance, .contraction = contraction<dim>}),
+                 {.tolerance = settings.flag.tolerance, .contraction = usual_contraction<dim>}),
         state_(stepper_.start(initial_shape<dim>(settings.initial, zeta, flag_.mesh()))) {
     result_.nodes = flag_.mesh().nodes();
   }

@@ -22,11 +22,6 @@ class PrescribedBody : public FlowBody {
     summary.fluid = fluid_.advance(state_, motion_, dt);
     return summary;
   }
-  void complete_row(const CoupledStepSummary&, FluidHistory&) const override {}
-  void add_shape(FluidHistory&) const override {}
-  void write(hdf5::Writer&) const override {}
-  void read(const hdf5::Reader&) override {}
-  void forget() override {}
 
  private:
   Fluid& fluid_;
@@ -34,21 +29,13 @@ class PrescribedBody : public FlowBody {
   FluidState state_;
 };
 
-FlagMesh coupled_mesh(const OGrid& grid, const FlagParameters& parameters, int planes) {
-  const EdgeConditions edges{parameters.leading_edge == LeadingEdge::clamped ? Edge::clamped
-                                                                             : Edge::pinned};
-  if (!parameters.gamma) return {coupled_chord(grid), edges};
-  return {coupled_chord(grid), planes, *parameters.gamma, edges};
-}
-
 template <int dim>
 class CoupledBody : public FlowBody {
  public:
   CoupledBody(Fluid& fluid, const Settings& settings, const FlagParameters& parameters,
               const std::optional<ShapeFunction>& zeta)
       : initial_(settings.initial),
-        flag_(coupled_mesh(fluid.grid(), parameters, fluid.span().planes()),
-              material_of(parameters)),
+        flag_(mesh_of(settings, parameters, coupled_chord(fluid.grid())), material_of(parameters)),
         gravity_(Eigen::Map<const Eigen::Vector3d>(parameters.gravity.data()).template tail<dim>()),
         shape_(stretched_by_friction<dim>(flag_.mesh(),
                                           initial_shape<dim>(initial_, zeta, flag_.mesh()),

@@ -25,13 +25,13 @@ class FlowBody {
   virtual CoupledStepSummary advance(double dt) = 0;
 
   /// Adds to a row of the history that add_row() has begun. Leading rank or not.
-  virtual void complete_row(const CoupledStepSummary&, FluidHistory&) const = 0;
-  virtual void add_shape(FluidHistory&) const = 0;
+  virtual void complete_row(const CoupledStepSummary&, FluidHistory&) const {}
+  virtual void add_shape(FluidHistory&) const {}
   /// What a checkpoint holds beside the fluid's state.
-  virtual void write(hdf5::Writer&) const = 0;
-  virtual void read(const hdf5::Reader&) = 0;
+  virtual void write(hdf5::Writer&) const {}
+  virtual void read(const hdf5::Reader&) {}
   /// Has the next step depend on the state alone: after a checkpoint.
-  virtual void forget() = 0;
+  virtual void forget() {}
 };
 
 /// A flag that moves as prescribed.

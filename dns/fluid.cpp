@@ -96,9 +96,12 @@ Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
 }
 
 double Fluid::stream(int component) const {
-  const double share = smooth_rise(step_.t, parameters_.ramp);
-  if (component == along_x) return share * parameters_.U;
-  return component == along_y ? share : 0.0;
+  return smooth_rise(step_.t, parameters_.ramp) * risen_stream(component);
+}
+
+double Fluid::risen_stream(int component) const {
+  if (component == along_x) return parameters_.U;
+  return component == along_y ? 1.0 : 0.0;
 }
 
 void Fluid::fail(double t, const std::string& what) const {
@@ -339,8 +342,7 @@ void Fluid::subtract_equation(const FluidState& state, std::size_t component, do
   Field<double>& p_c = change_[1];
   if (has_gradient) find_pressure_gradient(state, component, p_c);
   // What drives the stream drives all of the fluid alike.
-  const double drive =
-      step_.rise_of_stream * (c == along_x ? parameters_.U : (c == along_y ? 1.0 : 0.0));
+  const double drive = step_.rise_of_stream * risen_stream(c);
   for_each_row(extent_, [&](int plane, int j) {
     const double *u = state.u[component].row(plane, j),
                  *u_last = state.u_last[component].row(plane, j);

@@ -31,6 +31,9 @@
 
 namespace pennon::dns {
 
+/// Where FluidState::u keeps the velocity along x, y, z.
+inline constexpr std::array<std::size_t, 3> component_of = {2, 0, 1};
+
 /// Where the wall is: the displacement of the flag from rest at the corners of the grid, for each
 /// plane n_theta numbers (Displacement's row 0).
 struct WallShape {
@@ -147,6 +150,7 @@ class Fluid {
     bool is_start = false;  // from the uniform stream: there is no pressure yet
     FluidStepSummary summary;
   };
+  double risen_stream(int component) const;  // once it has risen
   void move_grid(FluidState&, const WallShape&);
   void find_grid_velocity(const FluidState&);
   void predict(FluidState&);

@@ -9,11 +9,8 @@
 namespace pennon::dns {
 namespace {
 
-// Where FluidState::u keeps the velocity along x, y, z.
-constexpr std::array<std::size_t, 3> place_of = {2, 0, 1};
-
 bool has(const Fluid& fluid, std::size_t axis) {
-  return static_cast<int>(place_of[axis]) < fluid.components();
+  return static_cast<int>(component_of[axis]) < fluid.components();
 }
 
 // A component with its ghosts, and its derivative by x where there is a span.
@@ -21,8 +18,8 @@ struct Extended {
   Field<double> f, f_xi;
 
   Extended(const Fluid& fluid, const FluidState& state, std::size_t axis)
-      : f(state.u[place_of[axis]]) {
-    fluid.extend_velocity(state, static_cast<int>(place_of[axis]), f, true);
+      : f(state.u[component_of[axis]]) {
+    fluid.extend_velocity(state, static_cast<int>(component_of[axis]), f, true);
     if (!fluid.span().has_span()) return;
     f_xi = Field<double>(f.extent());
     fluid.span().differentiate(f, f_xi);
@@ -37,7 +34,7 @@ struct WallLayer {
 
   WallLayer(const Fluid& fluid, const std::vector<Field<double>>& u, std::size_t axis)
       : f(Extent{fluid.extent().planes, 2, fluid.extent().n_theta}) {
-    const std::size_t component = place_of[axis];
+    const std::size_t component = component_of[axis];
     for (int plane = 0; plane < f.extent().planes; ++plane) {
       for (int j = 0; j < 2; ++j)
         std::copy_n(u[component].row(plane, j), f.extent().n_theta, f.row(plane, j));
@@ -171,7 +168,7 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
         budget.outer_power -= flux * outside * outside / 2 + push * outside;
         budget.outer_force[axis] -= flux * outside + push;
         budget.wall_power -= share * traction.force[axis][face] *
-                             (fluid.wall_velocity()[place_of[axis]][face] - stream[axis]);
+                             (fluid.wall_velocity()[component_of[axis]][face] - stream[axis]);
       }
     }
   }

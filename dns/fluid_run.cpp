@@ -102,11 +102,11 @@ class FluidRun {
     result_.checkpoint = checkpoint_.string();
     if (!history_.flag.empty()) result_.last_of_flag = history_.flag.back();
     result_.is_coupled = !settings_.motion.is_given;
-    if (result_.steps > 0)
-      result_.passes_mean = static_cast<double>(passes_) / static_cast<double>(result_.steps);
-    if (result_.steps > 0)
-      result_.pressure_iterations_mean =
-          static_cast<double>(pressure_iterations_) / static_cast<double>(result_.steps);
+    if (result_.steps > 0) {
+      const auto steps = static_cast<double>(result_.steps);
+      result_.passes_mean = static_cast<double>(passes_) / steps;
+      result_.pressure_iterations_mean = static_cast<double>(pressure_iterations_) / steps;
+    }
     return result_;
   }
 

@@ -289,9 +289,9 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
       about("loads",
             "or flag.gravity acts along x, but without flag.gamma the flag is two-dimensional");
   }
-  if (settings.initial.angle != 0 && (!settings.initial.A.empty() || !settings.initial.B.empty()))
-    about("initial.angle", "contradicts dns.initial.A or B: the flag starts straight or as (5.1)");
   const bool starts_bent = !settings.initial.A.empty() || !settings.initial.B.empty();
+  if (settings.initial.angle != 0 && starts_bent)
+    about("initial.angle", "contradicts dns.initial.A or B: the flag starts straight or as (5.1)");
   if (settings.initial.angle != 0 || starts_bent) {
     const char* key = !starts_bent                 ? "initial.angle"
                       : settings.initial.A.empty() ? "initial.B"
@@ -307,7 +307,7 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
             "be free or periodic");
   }
   if (settings.initial.plate_mode != 0) {
-    if (!settings.initial.A.empty() || !settings.initial.B.empty() || settings.initial.angle != 0)
+    if (starts_bent || settings.initial.angle != 0)
       about("initial.plate_mode",
             "contradicts dns.initial.A, B or angle: the plate starts as one of "
             "them");
@@ -318,8 +318,7 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
             "flag.leading_edge, dns.flag.trailing_edge and dns.flag.side_edges = \"pinned\"");
   }
   if (settings.initial.mode_amplitude != 0) {
-    if (!settings.initial.A.empty() || !settings.initial.B.empty() || settings.initial.angle != 0 ||
-        settings.initial.plate_mode != 0)
+    if (starts_bent || settings.initial.angle != 0 || settings.initial.plate_mode != 0)
       about("initial.mode_amplitude",
             "contradicts dns.initial.A, B, angle or plate_mode: the flag starts as one of them");
     if (settings.initial.n > 0 && !flag.gamma)
@@ -341,6 +340,10 @@ FlagMesh mesh_of(const Settings& settings, const FlagParameters& flag) {
     if (settings.flag.spacing == ChordSpacing::both)
       eta = (1 - std::cos(std::numbers::pi * eta)) / 2;
   }
+  return mesh_of(settings, flag, std::move(chord));
+}
+
+FlagMesh mesh_of(const Settings& settings, const FlagParameters& flag, std::vector<double> chord) {
   const Edge leading = flag.leading_edge == LeadingEdge::clamped ? Edge::clamped : Edge::pinned;
   const Edge side = settings.flag.side_edges;
   const EdgeConditions edges{leading, settings.flag.trailing_edge, side, side};

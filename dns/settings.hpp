@@ -131,6 +131,8 @@ void check(const Settings&, const FlagParameters&, bool has_flow, Faults&);
 
 /// The mesh and material of the case's flag.
 FlagMesh mesh_of(const Settings&, const FlagParameters&);
+/// The same of other chordwise nodes.
+FlagMesh mesh_of(const Settings&, const FlagParameters&, std::vector<double> chord);
 FlagMaterial material_of(const FlagParameters&);
 
 }  // namespace pennon::dns

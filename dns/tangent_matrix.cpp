@@ -147,8 +147,8 @@ class TangentMatrix<dim>::Sparse {
   }
 
   void multiply(Eigen::VectorXd& x) {
-    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(x.size());
-    matrix_.evaluate_residual(x, nothing, residual_);
+    residual_.setZero(x.size());
+    matrix_.subtract_product(x, residual_);
     x = -residual_;
   }
   void solve_roughly(Eigen::VectorXd& b) {

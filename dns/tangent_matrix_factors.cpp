@@ -28,11 +28,14 @@ class OneThread {
 void CompressedColumns::evaluate_residual(const Eigen::VectorXd& x, const Eigen::VectorXd& b,
                                           Eigen::VectorXd& residual) const {
   residual = b;
+  subtract_product(x, residual);
+}
+
+void CompressedColumns::subtract_product(const Eigen::VectorXd& x, Eigen::VectorXd& sum) const {
   for (int column = 0; column < order(); ++column)
     for (int k = columns[static_cast<std::size_t>(column)];
          k < columns[static_cast<std::size_t>(column) + 1]; ++k)
-      residual[rows[static_cast<std::size_t>(k)]] -=
-          values[static_cast<std::size_t>(k)] * x[column];
+      sum[rows[static_cast<std::size_t>(k)]] -= values[static_cast<std::size_t>(k)] * x[column];
 }
 
 CholeskyFactors::CholeskyFactors(const CompressedColumns& pattern) {

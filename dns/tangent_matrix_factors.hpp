@@ -21,6 +21,8 @@ struct CompressedColumns {
   /// b - A x, into `residual`.
   void evaluate_residual(const Eigen::VectorXd& x, const Eigen::VectorXd& b,
                          Eigen::VectorXd& residual) const;
+  /// Subtracts A x.
+  void subtract_product(const Eigen::VectorXd& x, Eigen::VectorXd& sum) const;
 };
 
 /// The symmetric part (A + A^T)/2 by CHOLMOD's supernodal Cholesky factors.

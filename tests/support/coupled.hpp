@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 
 #include "dns/coupling.hpp"
+#include "dns/initial_shape.hpp"
 
 namespace pennon::test {
 
@@ -28,24 +28,12 @@ inline dns::FlagMesh coupled_mesh(const CoupledCase& settings, const dns::OGrid&
 template <int dim>
 class CoupledRun {
  public:
-  using Shape = std::function<double(double x, double y)>;
-
-  explicit CoupledRun(const CoupledCase& settings, const Shape& zeta)
+  explicit CoupledRun(const CoupledCase& settings, const dns::ShapeFunction& zeta)
       : fluid_(dns::OGrid(settings.grid), dns::Span(settings.planes, settings.span), settings.fluid,
                settings.tolerances),
         flag_(coupled_mesh(settings, fluid_.grid()), settings.flag),
         coupling_(fluid_, flag_, Eigen::Matrix<double, dim, 1>::Zero(), settings.coupling) {
-    dns::NodeVectors<dim> x = flag_.rest();
-    const dns::FlagMesh& mesh = flag_.mesh();
-    for (int m = 0; m < mesh.stations(); ++m)
-      for (int j = 1; j < mesh.chord_nodes(); ++j) {
-        const int node = mesh.index(m, j);
-        x(dim - 1, node) = zeta(mesh.x(m), mesh.y(j));
-        const double rise = x(dim - 1, node) - x(dim - 1, node - 1);
-        x(dim - 2, node) =
-            x(dim - 2, node - 1) + std::sqrt(mesh.dy(j - 1) * mesh.dy(j - 1) - rise * rise);
-      }
-    state_ = coupling_.start(x, 0);
+    state_ = coupling_.start(dns::initial_shape<dim>({}, zeta, flag_.mesh()), 0);
   }
 
   dns::Fluid& fluid() { return fluid_; }
