@@ -202,22 +202,13 @@ TEST_F(Dns, TakesTheTractionOfATableAsItTakesAUniformLoad) {
 
 TEST_F(Dns, GoesOnAfterATerminationToTheSameBits) {
   const std::string file = (source / "data/cases/flag/swinging_membrane.toml").string();
-  const std::vector<std::string> arguments = {"dns",   file,
-                                              "--set", "dns.n_x=8",
-                                              "--set", "dns.flag.n_y=12",
-                                              "--set", "dns.t_end=2.5",
-                                              "--set", "dns.output.checkpoint_interval=0.5",
-                                              "--json"};
-  std::vector<std::string> uninterrupted = arguments;
-  uninterrupted.insert(uninterrupted.end(), {"--output", results("whole")});
-  const Outcome whole = pennon(uninterrupted);
-  ASSERT_EQ(whole.status, done) << whole.err;
-  const Outcome continued = pennon_killed_and_continued(arguments, "parts");
-  ASSERT_EQ(continued.status, done) << continued.err;
+  Outcome whole, continued;
+  ASSERT_NO_FATAL_FAILURE(expect_same_after_termination(
+      {"dns", file, "--set", "dns.n_x=8", "--set", "dns.flag.n_y=12", "--set", "dns.t_end=2.5",
+       "--set", "dns.output.checkpoint_interval=0.5", "--json"},
+      whole, continued));
   EXPECT_EQ(json::parse(continued.out).at("dns").at("last"),
             json::parse(whole.out).at("dns").at("last"));
-  EXPECT_EQ(test::read_text(results("parts") + "/history.csv"),
-            test::read_text(results("whole") + "/history.csv"));
 }
 
 TEST_F(Dns, RefusesTheCheckpointOfAnotherFlag) {

@@ -69,14 +69,9 @@ TEST_F(DnsCoupled, RunsAndKeepsWhatHappens) {
 
 TEST_F(DnsCoupled, GoesOnAfterATerminationToTheSameBits) {
   const std::string file = in_three_dimensions();
-  const std::vector<std::string> arguments = {"dns", file, "--set", "dns.t_end=0.4"};
-  std::vector<std::string> whole = arguments;
-  whole.insert(whole.end(), {"--output", results("whole")});
-  ASSERT_EQ(pennon(whole).status, done);
-  const Outcome continued = pennon_killed_and_continued(arguments, "parts");
-  ASSERT_EQ(continued.status, done) << continued.err;
-  EXPECT_EQ(test::read_text(results("parts") + "/history.csv"),
-            test::read_text(results("whole") + "/history.csv"));
+  Outcome whole, continued;
+  ASSERT_NO_FATAL_FAILURE(
+      expect_same_after_termination({"dns", file, "--set", "dns.t_end=0.4"}, whole, continued));
   EXPECT_EQ(hdf5::Reader(results("parts") + "/shapes.h5").read("/position/000008").values,
             hdf5::Reader(results("whole") + "/shapes.h5").read("/position/000008").values);
 }

@@ -40,15 +40,9 @@ class DnsFluid : public test::Commands {
 
 TEST_F(DnsFluid, GoesOnAfterATerminationToTheSameBits) {
   const std::string file = wave_in_three_dimensions();
-  const std::vector<std::string> arguments = {"dns", file, "--set", "dns.t_end=0.6", "--json"};
-  std::vector<std::string> uninterrupted = arguments;
-  uninterrupted.insert(uninterrupted.end(), {"--output", results("whole")});
-  const Outcome whole = pennon(uninterrupted);
-  ASSERT_EQ(whole.status, done) << whole.err;
-  const Outcome continued = pennon_killed_and_continued(arguments, "parts");
-  ASSERT_EQ(continued.status, done) << continued.err;
-  EXPECT_EQ(test::read_text(results("parts") + "/history.csv"),
-            test::read_text(results("whole") + "/history.csv"));
+  Outcome whole, continued;
+  ASSERT_NO_FATAL_FAILURE(expect_same_after_termination(
+      {"dns", file, "--set", "dns.t_end=0.6", "--json"}, whole, continued));
   EXPECT_EQ(hdf5::Reader(results("parts") + "/fields_00006.h5").read("/omega_x").values,
             hdf5::Reader(results("whole") + "/fields_00006.h5").read("/omega_x").values);
 }

@@ -84,6 +84,19 @@ class Commands : public testing::Test {
     arguments.insert(arguments.end(), {"--restart", checkpoint});
     return pennon(arguments);
   }
+  /// Runs `arguments` whole, in results("whole"), and killed and continued, in results("parts"):
+  /// both come to their end, with the same bits in history.csv.
+  void expect_same_after_termination(const std::vector<std::string>& arguments, Outcome& whole,
+                                     Outcome& parts) {
+    std::vector<std::string> uninterrupted = arguments;
+    uninterrupted.insert(uninterrupted.end(), {"--output", results("whole")});
+    whole = pennon(uninterrupted);
+    ASSERT_EQ(whole.status, done) << whole.err;
+    parts = pennon_killed_and_continued(arguments, "parts");
+    ASSERT_EQ(parts.status, done) << parts.err;
+    EXPECT_EQ(read_text(results("parts") + "/history.csv"),
+              read_text(results("whole") + "/history.csv"));
+  }
   std::string results(const std::string& name = "results") const {
     return (folder_ / name).string();
   }
