@@ -164,7 +164,7 @@ void Fluid::invert_flat_pressure(const double* in, double* out) {
 void Fluid::velocity_operator(const Components& components, const double* in, double* out) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const std::size_t cells = extent_.cells();
-  const auto [first, end] = components;
+  const std::size_t first = components.first, end = components.end;
   const auto slope = [&](std::size_t c) {
     return change_varies_ ? &change_xi_[c - first] : nullptr;
   };
