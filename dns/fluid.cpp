@@ -449,7 +449,7 @@ void Fluid::begin_step(FluidState& state, const WallShape& wall, double dt) {
   step_.summary.seconds.prediction = watch.lap();
 }
 
-void Fluid::solve_pressure(FluidState& state, double tolerance) {
+int Fluid::solve_pressure(FluidState& state, double tolerance) {
   StopWatch watch;
   if (!step_.is_posed) pose_projection(state);
   impose_wall_flux();
@@ -461,6 +461,7 @@ void Fluid::solve_pressure(FluidState& state, double tolerance) {
   step_.summary.pressure_iterations += solved.iterations;
   unpack(solution_.data(), state.p);
   step_.summary.seconds.projection += watch.lap();
+  return solved.iterations;
 }
 
 // Takes the pressure's gradient from the fluxes and the velocity.

@@ -103,10 +103,10 @@ class Fluid {
   /// begin_step() moves the grid to the wall's shape at the end of the step and predicts the
   /// velocity; the wall's velocity is then that of the shape. set_wall_velocity() and
   /// solve_pressure() follow, as often as the wall needs: state.p is then the pressure at the end
-  /// of the step, with a root mean square error below `tolerance`. finish_step() leaves what
-  /// advance() does.
+  /// of the step, with a root mean square error below `tolerance`. Returns the solver's iterations:
+  /// none if it already was. finish_step() leaves what advance() does.
   void begin_step(FluidState&, const WallShape&, double dt);
-  void solve_pressure(FluidState&, double tolerance);
+  int solve_pressure(FluidState&, double tolerance);
   FluidStepSummary finish_step(FluidState&);
   /// The velocity without the new pressure, between begin_step() and the first solve_pressure().
   const std::vector<Field<double>>& predicted_velocity() const { return guess_; }
