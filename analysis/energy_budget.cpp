@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "analysis/series.hpp"
+#include "common/smooth_rise.hpp"
 
 namespace pennon::analysis {
 namespace {
@@ -23,10 +24,11 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
 }
 
 // The power of the force on the flag along the stream.
-std::vector<double> stream_power(const RunHistory& run, double U) {
+std::vector<double> stream_power(const RunHistory& run, const RunContext& context) {
   std::vector<double> power;
   for (std::size_t row = 0; row < run.t.size(); ++row)
-    power.push_back((run.column("C_D")[row] + U * run.column("C_S")[row]) / 2);
+    power.push_back(smooth_rise(run.t[row], context.ramp) *
+                    (run.column("C_D")[row] + context.U * run.column("C_S")[row]) / 2);
   return power;
 }
 
@@ -51,7 +53,7 @@ double largest_size(const std::vector<double>& values) {
 
 }  // namespace
 
-EnergyBudget energy_budget(const RunHistory& run, double U, double kick_end) {
+EnergyBudget energy_budget(const RunHistory& run, const RunContext& context) {
   EnergyBudget e;
   e.t = run.t;
   e.fluid = run.column("kinetic");
@@ -61,17 +63,17 @@ EnergyBudget energy_budget(const RunHistory& run, double U, double kick_end) {
   e.gravity = run.column("gravity");
   e.flag = sum(sum(e.flag_kinetic, e.bending), sum(e.stretch, e.gravity));
   e.total = sum(e.fluid, e.flag);
-  const std::vector<double> along_stream = stream_power(run, U);
+  const std::vector<double> along_stream = stream_power(run, context);
   e.received = running_integral(run.t, sum(along_stream, run.column("outer_power")));
   e.balance = difference(e.total, e.received);
   e.lost =
       sum(running_integral(run.t, run.column("dissipation")), run.column("damping_dissipated"));
-  e.exchange = exchange_of(run, along_stream, kick_end);
+  e.exchange = exchange_of(run, along_stream, context.kick_end);
   e.defect = sum(sum(run.column("energy_defect"), run.column("flag_defect")), e.exchange);
   const double scale = largest_size(sum(e.fluid, e.flag_kinetic));
   e.residual = scale > 0 ? largest_size(e.defect) / scale : 0;
   e.residual_exchange = scale > 0 ? largest_size(e.exchange) / scale : 0;
-  for (const double change : change_in_convective_period(e.t, e.defect, e.total))
+  for (const double change : change_in_convective_period(e.t, e.defect, difference(e.total, e.gravity)))
     if (std::isfinite(change))
       e.residual_per_time = std::max(e.residual_per_time, std::abs(change));
   return e;

@@ -1,11 +1,14 @@
 /// The energies of flag and fluid over a run, per span in rho_f V^2 L^2, and their budget.
 ///
-///     total = kinetic (of the velocity less the stream) + flag_kinetic + bending + stretch +
-///     gravity received = integral of D V + S U + outer_power    lost = integral of dissipation +
-///     damping defect = total - total(0) - received + lost
+///     total    = kinetic (of the velocity less the stream) + flag_kinetic + bending + stretch +
+///                gravity
+///     received = integral of D V + S U + outer_power
+///     lost     = integral of dissipation + damping
+///     defect   = total - total(0) - received + lost
 ///
 /// D = C_D/2 and S = C_S/2, drag and side force, enter because the fluid's energy is that of the
-/// velocity less the stream: what holds the leading edge against the stream works on it.
+/// velocity less the stream: what holds the leading edge against the stream works on it. While the
+/// stream rises, V and U are what it has risen to.
 ///
 /// The defect is what the method makes or loses: that of the fluid's own budget, that of the
 /// flag's, and that of the exchange, which the fluid counts as wall_power (of the flag on the
@@ -19,6 +22,7 @@
 
 #include <vector>
 
+#include "analysis/run_context.hpp"
 #include "analysis/run_history.hpp"
 
 namespace pennon::analysis {
@@ -30,12 +34,12 @@ struct EnergyBudget {
   std::vector<double> balance;  ///< total - received
   double residual = 0;  ///< the largest |defect| over the largest kinetic energy of flag and fluid
   double residual_exchange = 0;  ///< of the exchange alone, on the same
-  /// The largest change of the defect in one convective period, over the total at its end.
+  /// The largest change of the defect in one convective period, over the total without gravity at
+  /// its end: gravity's energy has no zero of its own.
   double residual_per_time = 0;
 };
 
-/// U: the cross-flow; `kick_end`: when the kick at the start is over, 0 without one.
-EnergyBudget energy_budget(const RunHistory&, double U, double kick_end);
+EnergyBudget energy_budget(const RunHistory&, const RunContext&);
 
 /// The change of a quantity over the convective period before each row, over what it is relative to
 /// there; NaN in the first period. Of the total less what was received, relative to itself, it is

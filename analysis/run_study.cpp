@@ -157,7 +157,7 @@ RunAnalysis analyze_run(const std::filesystem::path& folder, const Settings& set
     found.angles.notes.emplace_back("theta_s, theta_v: angles are those of a limit cycle");
   found.phases = find_phases(found.run.t, moduli(found.components),
                              period_of(found.limit_cycle, found.linear));
-  found.energy = energy_budget(found.run, context.U, context.kick_end);
+  found.energy = energy_budget(found.run, context);
   return found;
 }
 

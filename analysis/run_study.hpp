@@ -10,6 +10,7 @@
 #include "analysis/flapping_phases.hpp"
 #include "analysis/limit_cycle.hpp"
 #include "analysis/linear_phase.hpp"
+#include "analysis/run_context.hpp"
 #include "analysis/run_history.hpp"
 #include "analysis/settings.hpp"
 #include "analysis/spanwise_amplitudes.hpp"
@@ -29,13 +30,6 @@ struct RunAnalysis {
 
   /// Why a number is not there, in sentences.
   std::vector<std::string> notes() const;
-};
-
-/// What the analysis takes from the case, beside its settings.
-struct RunContext {
-  double U = 0;         ///< cross-flow
-  double release = 0;   ///< until when the flag is held where it starts
-  double kick_end = 0;  ///< when the kick after it is over; 0 without one
 };
 
 /// Throws InputError as read_run_history(), and where the window

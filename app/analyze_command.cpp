@@ -17,8 +17,10 @@ analysis::Settings settings_of(const Case& the_case, const AnalyzeOptions& optio
 
 analysis::RunContext context_of(const Case& the_case) {
   const dns::InitialSettings& initial = the_case.dns.initial;
-  return {the_case.flow.U, initial.release,
-          initial.kick == 0 ? 0 : initial.release + initial.kick_duration};
+  return {.U = the_case.flow.U,
+          .ramp = initial.ramp,
+          .release = initial.release,
+          .kick_end = initial.kick == 0 ? 0 : initial.release + initial.kick_duration};
 }
 
 void print(const analysis::RunAnalysis& found, const AnalyzeOptions& options,

@@ -10,8 +10,8 @@
 
 #include "common/errors.hpp"
 #include "common/ranks.hpp"
+#include "common/smooth_rise.hpp"
 #include "dns/packing.hpp"
-#include "dns/schedule.hpp"
 
 namespace pennon::dns {
 namespace {

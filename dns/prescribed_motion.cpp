@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dns/schedule.hpp"
+#include "common/smooth_rise.hpp"
 
 namespace pennon::dns {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "common/smooth_rise.hpp"
 #include "tests/support/synthetic_run.hpp"
 
 namespace pennon::analysis {
@@ -33,7 +34,7 @@ RunHistory balanced_run() {
 }
 
 TEST(EnergyBudget, OfABalancedRunHasNoDefect) {
-  const EnergyBudget e = energy_budget(balanced_run(), 0.5, 0);
+  const EnergyBudget e = energy_budget(balanced_run(), {.U = 0.5});
   EXPECT_LT(e.residual, 1e-13);
   EXPECT_LT(e.residual_exchange, 1e-13);
   const std::size_t last = e.t.size() - 1;
@@ -46,7 +47,7 @@ TEST(EnergyBudget, CountsTheDefectsOfFluidFlagAndExchange) {
   set_column(run, "energy_defect", [](double t) { return 0.01 * t; });
   set_column(run, "flag_defect", [](double t) { return -0.002 * t; });
   set_column(run, "fluid_work", [](double t) { return 0.023 * t; });
-  const EnergyBudget e = energy_budget(run, 0.5, 0);
+  const EnergyBudget e = energy_budget(run, {.U = 0.5});
   const double end = e.t.back(), kinetic = 0.1 + 0.06 * end + 0.01 * end;
   EXPECT_NEAR(e.residual, (0.01 - 0.002 + 0.003) * end / kinetic, 1e-12);
   EXPECT_NEAR(e.residual_exchange, 0.003 * end / kinetic, 1e-12);
@@ -55,8 +56,26 @@ TEST(EnergyBudget, CountsTheDefectsOfFluidFlagAndExchange) {
 TEST(EnergyBudget, TakesTheKickOutOfTheExchange) {
   RunHistory run = balanced_run();
   set_column(run, "fluid_work", [](double t) { return 0.02 * t + 0.5 * std::min(t / 0.1, 1.0); });
-  EXPECT_GT(energy_budget(run, 0.5, 0).residual_exchange, 1);
-  EXPECT_LT(energy_budget(run, 0.5, 0.1).residual_exchange, 1e-12);
+  EXPECT_GT(energy_budget(run, {.U = 0.5}).residual_exchange, 1);
+  EXPECT_LT(energy_budget(run, {.U = 0.5, .kick_end = 0.1}).residual_exchange, 1e-12);
+}
+
+// While the stream rises, drag and side force work on what it has risen to.
+TEST(EnergyBudget, FollowsTheStreamAsItRises) {
+  RunHistory run = balanced_run();
+  const double ramp = 5;
+  set_column(run, "wall_power", [&](double t) { return 0.12 * smooth_rise(t, ramp) - 0.02; });
+  EXPECT_GT(energy_budget(run, {.U = 0.5}).residual_exchange, 0.1);
+  EXPECT_LT(energy_budget(run, {.U = 0.5, .ramp = ramp}).residual_exchange, 1e-6);
+}
+
+// A hanging flag's potential energy may be anything.
+TEST(EnergyBudget, ComparesTheDefectWithTheEnergyWithoutGravity) {
+  RunHistory run = balanced_run();
+  set_column(run, "energy_defect", [](double t) { return 0.01 * t; });
+  const double without = energy_budget(run, {.U = 0.5}).residual_per_time;
+  set_column(run, "gravity", [&](double) { return -run.column("kinetic").front(); });
+  EXPECT_NEAR(energy_budget(run, {.U = 0.5}).residual_per_time, without, 1e-12);
 }
 
 TEST(EnergyBudget, ChangesInAConvectivePeriod) {
