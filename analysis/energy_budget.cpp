@@ -73,7 +73,8 @@ EnergyBudget energy_budget(const RunHistory& run, const RunContext& context) {
   const double scale = largest_size(sum(e.fluid, e.flag_kinetic));
   e.residual = scale > 0 ? largest_size(e.defect) / scale : 0;
   e.residual_exchange = scale > 0 ? largest_size(e.exchange) / scale : 0;
-  for (const double change : change_in_convective_period(e.t, e.defect, difference(e.total, e.gravity)))
+  for (const double change :
+       change_in_convective_period(e.t, e.defect, difference(e.total, e.gravity)))
     if (std::isfinite(change))
       e.residual_per_time = std::max(e.residual_per_time, std::abs(change));
   return e;

@@ -54,6 +54,10 @@ CsvTable::CsvTable(const std::filesystem::path& file) : file_(file.string()) {
   if (names_.empty()) throw InputError(file_, "is empty: a table begins with its column names");
 }
 
+bool CsvTable::has(const std::string& name) const {
+  return std::ranges::find(names_, name) != names_.end();
+}
+
 std::size_t CsvTable::column(const std::string& name) const {
   const auto found = std::ranges::find(names_, name);
   if (found == names_.end())

@@ -17,6 +17,7 @@ class CsvTable {
   explicit CsvTable(const std::filesystem::path& file);
 
   std::size_t rows() const { return rows_.size(); }
+  bool has(const std::string& name) const;
   /// Throws InputError that lists the columns there are if this one is not among them.
   std::size_t column(const std::string& name) const;
   const std::string& text(std::size_t row, std::size_t column) const {

@@ -248,8 +248,7 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   // An error of the positions is one of the jump, mass_factor (mu + added mass) times as large.
   constexpr double rounding = 1e-14;
   newton_.set_tolerance(std::max(0.2 * settings_.tolerance / equation_.mass_factor, rounding));
-  double pressure_tolerance =
-      std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
+  double pressure_tolerance = std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
   SegmentValues g = guessed_jump(state, D), found;
   // The positions that the extrapolated velocity leads to.
   x_ = (velocity - equation_.velocity_rest) / D.next - state.flag.x;
@@ -260,8 +259,8 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   for (summary.passes = 1;; ++summary.passes) {
     solve_flag(state, fixed, g, summary);
     move_wall(v_);
-    // It bounds the error's mean over the fluid; that at an edge of the flag can be much larger, and
-    // the jump then stays as it is.
+    // It bounds the error's mean over the fluid; that at an edge of the flag can be much larger,
+    // and the jump then stays as it is.
     if (fluid_.solve_pressure(state.fluid, pressure_tolerance) == 0) pressure_tolerance *= 0.1;
     SegmentValues change;
     added_mass_.find_jump(a_, change);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,14 +20,21 @@ void share_strain(const FlagMesh& mesh, int j, NodeVectors<3>& x) {
     const Eigen::Vector3d rise = x.col(mesh.index((m + 1) % stations, j)) - x.col(mesh.index(m, j));
     rise_squared[m] = rise.tail<2>().squaredNorm();
   }
-  // The length l for which the runs (l^2 - rise^2)^1/2 add up to the span: Newton's method from
-  // above, where their sum is concave, so that it comes down to it.
-  double length = mesh.dx() + std::sqrt(rise_squared.maxCoeff());
+  const double steepest = std::sqrt(rise_squared.maxCoeff());
+  if ((steepest * steepest - rise_squared).sqrt().sum() > mesh.span())
+    throw InputError("dns.initial",
+                     fmt::format("along the span, at y = {:.3g}, the shape is steeper than the "
+                                 "flag is long; take smaller amplitudes",
+                                 mesh.y(j)));
+  // The length l for which the runs (l^2 - rise^2)^1/2 add up to the span. Their sum is a concave
+  // function of l, for which Newton's method comes up to it from below; a first step that leads
+  // below the steepest rise is cut.
+  double length = mesh.dx() + steepest;
   constexpr int most_iterations = 100;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Eigen::ArrayXd runs = (length * length - rise_squared).sqrt();
     const double change = (runs.sum() - mesh.span()) / (length / runs).sum();
-    length -= change;
+    length = std::max(length - change, (length + steepest) / 2);
     if (std::abs(change) < 1e-15 * length) break;
   }
   const Eigen::ArrayXd runs = (length * length - rise_squared).sqrt();

@@ -1,5 +1,7 @@
 pennon_test(test_flag LABEL unit
-            SOURCES unit/flag_forces.cpp unit/flag_frequency.cpp unit/flag_tangent_matrix.cpp LINK pennon::dns)
+            SOURCES unit/flag_forces.cpp unit/flag_frequency.cpp unit/flag_initial_shape.cpp
+                    unit/flag_tangent_matrix.cpp
+            LINK pennon::dns)
 # In a program of its own: it takes the place of malloc.
 pennon_test(test_flag_allocations LABEL unit SOURCES unit/flag_allocations.cpp LINK pennon::dns)
 pennon_test(test_flag_validation LABEL verification
@@ -21,5 +23,8 @@ pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp unit/fluid_parts.cpp LIN
 # Not a test: draws the fluid's pictures of docs/accuracy.md.
 add_executable(fluid_pictures support/fluid_pictures.cpp)
 target_link_libraries(fluid_pictures PRIVATE pennon_options pennon::analysis)
+# Not a test: keeps what a run said under data/reference/pennon/runs.
+add_executable(keep_run support/keep_run.cpp)
+target_link_libraries(keep_run PRIVATE pennon_options pennon::common)
 pennon_test(test_coupling LABEL verification
             SOURCES unit/added_mass.cpp verification/coupling.cpp LINK pennon::dns)
