@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "common/errors.hpp"
 
@@ -75,6 +76,13 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
     throw InputError(
         place(row), fmt::format("{} must be a finite number, but is \"{}\"", names_[column], cell));
   return value;
+}
+
+std::vector<double> CsvTable::numbers(const std::string& name) const {
+  std::vector<double> found;
+  for (std::size_t row = 0; row < rows(); ++row)
+    found.push_back(number(row, column(name)).value_or(std::numeric_limits<double>::quiet_NaN()));
+  return found;
 }
 
 std::string CsvTable::place(std::size_t row) const {

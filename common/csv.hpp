@@ -25,6 +25,8 @@ class CsvTable {
   }
   /// None for an empty cell. Throws InputError (file:line) where the cell is not a finite number.
   std::optional<double> number(std::size_t row, std::size_t column) const;
+  /// A whole column, NaN for an empty cell. Throws as column() and number().
+  std::vector<double> numbers(const std::string& name) const;
   /// "file:line" of a row.
   std::string place(std::size_t row) const;
 

@@ -20,9 +20,11 @@ pennon_test(test_fluid_validation LABEL validation
             LINK pennon::dns)
 pennon_test(test_fluid LABEL unit SOURCES unit/span.cpp unit/fluid_parts.cpp LINK pennon::dns)
 
-# Not a test: draws the fluid's pictures of docs/accuracy.md.
+# Not tests: these draw pictures of docs/accuracy.md.
 add_executable(fluid_pictures support/fluid_pictures.cpp)
 target_link_libraries(fluid_pictures PRIVATE pennon_options pennon::analysis)
+add_executable(coupled_pictures support/coupled_pictures.cpp)
+target_link_libraries(coupled_pictures PRIVATE pennon_options pennon::analysis pennon::lsa)
 # Not a test: keeps what a run said under data/reference/pennon/runs.
 add_executable(keep_run support/keep_run.cpp)
 target_link_libraries(keep_run PRIVATE pennon_options pennon::common)

@@ -53,10 +53,10 @@ class Coupled : public test::Commands {
   // Of the trailing edge, after analyze(): at its antinode, or of a wave.
   double largest_swing(double from, double to, const std::string& column = "z_antinode") {
     const CsvTable edge(std::filesystem::path(results()) / "analysis/spanwise_amplitudes.csv");
+    const std::vector<double> t = edge.numbers("t"), values = edge.numbers(column);
     double largest = 0;
-    for (std::size_t row = 0; row < edge.rows(); ++row)
-      if (const double t = *edge.number(row, edge.column("t")); t >= from && t <= to)
-        largest = std::max(largest, std::abs(*edge.number(row, edge.column(column))));
+    for (std::size_t row = 0; row < t.size(); ++row)
+      if (t[row] >= from && t[row] <= to) largest = std::max(largest, std::abs(values[row]));
     return largest;
   }
   static double number(const json& value) { return value.is_number() ? value.get<double>() : NAN; }
@@ -188,9 +188,7 @@ TEST_F(Coupled, EnergyIsKeptToSecondOrder) {
     ASSERT_EQ(outcome.status, test::done) << outcome.err;
     analyze();
     const CsvTable energy(std::filesystem::path(results()) / "analysis/energy.csv");
-    const auto last = [&](const std::string& column) {
-      return energy.number(energy.rows() - 1, energy.column(column)).value_or(NAN);
-    };
+    const auto last = [&](const std::string& column) { return energy.numbers(column).back(); };
     rows.push_back({static_cast<double>(n_rho), 0.12 / n_rho, last("total"), last("defect"),
                     last("exchange")});
     if (rows.size() == 1) continue;
