@@ -3,14 +3,13 @@
 // in all and by phase; passes and iterations; memory. In two dimensions also what a step costs
 // without some of its physics. On one rank; docs/accuracy.md says how two were timed.
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "bench/step_counters.hpp"
 #include "common/petsc.hpp"
-#include "common/ranks.hpp"
 #include "dns/coupling.hpp"
 #include "dns/initial_shape.hpp"
 
@@ -117,35 +116,22 @@ void extrude(const Run<2>& flat, Run<3>& wide) {
 
 template <int dim>
 void time_steps(benchmark::State& bench, Run<dim>& run, bool is_held) {
-  FluidStepTimes seconds;
-  double flag = 0, passes = 0, pressure = 0, newton = 0, steps = 0;
+  StepCounters counters;
+  double flag = 0, passes = 0, newton = 0;
   for (auto _ : bench) {
     const CoupledStepSummary summary =
         is_held ? run.coupling.advance_held(run.state, dt) : run.coupling.advance(run.state, dt);
-    seconds.grid += summary.fluid.seconds.grid;
-    seconds.metrics += summary.fluid.seconds.metrics;
-    seconds.prediction += summary.fluid.seconds.prediction;
-    seconds.projection += summary.fluid.seconds.projection;
+    counters.add(summary.fluid);
     flag += summary.flag_seconds;
     passes += summary.passes;
-    pressure += summary.fluid.pressure_iterations;
     newton += summary.flag_iterations;
-    ++steps;
   }
-  const auto ms = [&](double time) { return 1e3 * time / steps; };
-  bench.counters["ms_grid"] = ms(seconds.grid);
-  bench.counters["ms_metrics"] = ms(seconds.metrics);
-  bench.counters["ms_prediction"] = ms(seconds.prediction);
-  bench.counters["ms_projection"] = ms(seconds.projection);
-  bench.counters["ms_flag"] = ms(flag);
-  bench.counters["passes"] = passes / steps;
-  bench.counters["pressure_iterations"] = pressure / steps;
-  bench.counters["newton_iterations"] = newton / steps;
-  bench.counters["ranks"] = ranks::count();
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  constexpr double gigabyte = 1e6;  // ru_maxrss counts thousands
-  bench.counters["GB"] = ranks::sum(static_cast<double>(usage.ru_maxrss)) / gigabyte;
+  counters.report(bench, "ms", 1e3);
+  bench.counters["ms_flag"] = 1e3 * flag / counters.steps();
+  bench.counters["passes"] = passes / counters.steps();
+  bench.counters["newton_iterations"] = newton / counters.steps();
+  constexpr double gigabyte = 1e9;
+  bench.counters["GB"] = peak_memory() / gigabyte;
 }
 
 void two_dimensions(benchmark::State& bench, const Physics& physics) {

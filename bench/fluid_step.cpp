@@ -4,14 +4,12 @@
 //
 // On several cores: mpiexec -n N bench_fluid_step --benchmark_filter=...
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "bench/step_counters.hpp"
 #include "common/petsc.hpp"
-#include "common/ranks.hpp"
-#include "dns/fluid.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -53,36 +51,20 @@ void step(benchmark::State& bench) {
   const double dt = 0.12 / n_rho;                     // keeps the Courant number
   const int steps_before = planes == 1 ? n_rho : 20;  // past the sharpest part of the start
   for (int n = 0; n < steps_before; ++n) fluid.advance(state, wave, dt);
-  FluidStepTimes seconds;
-  double pressure = 0, velocity = 0, passes = 0, steps = 0;
+  StepCounters counters;
+  double velocity = 0, passes = 0;
   for (auto _ : bench) {
     const FluidStepSummary summary = fluid.advance(state, wave, dt);
-    seconds.grid += summary.seconds.grid;
-    seconds.metrics += summary.seconds.metrics;
-    seconds.prediction += summary.seconds.prediction;
-    seconds.projection += summary.seconds.projection;
-    pressure += summary.pressure_iterations;
+    counters.add(summary);
     velocity += summary.velocity_iterations;
     passes += summary.grid_passes;
-    ++steps;
   }
   const double cells = static_cast<double>(grid.n_rho()) * grid.n_theta() * planes;
-  const auto ns_per_cell = [&](double time) { return 1e9 * time / steps / cells; };
-  bench.counters["ns"] =
-      ns_per_cell(seconds.grid + seconds.metrics + seconds.prediction + seconds.projection);
-  bench.counters["ns_grid"] = ns_per_cell(seconds.grid);
-  bench.counters["ns_metrics"] = ns_per_cell(seconds.metrics);
-  bench.counters["ns_prediction"] = ns_per_cell(seconds.prediction);
-  bench.counters["ns_projection"] = ns_per_cell(seconds.projection);
-  bench.counters["pressure_iterations"] = pressure / steps;
-  bench.counters["velocity_iterations"] = velocity / steps;
-  bench.counters["grid_passes"] = passes / steps;
-  bench.counters["ranks"] = ranks::count();
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  constexpr double kilobyte = 1024;
-  bench.counters["bytes_per_cell"] =
-      ranks::sum(static_cast<double>(usage.ru_maxrss)) * kilobyte / cells;
+  bench.counters["ns"] = 1e9 / cells * counters.seconds_of_all();
+  counters.report(bench, "ns", 1e9 / cells);
+  bench.counters["velocity_iterations"] = velocity / counters.steps();
+  bench.counters["grid_passes"] = passes / counters.steps();
+  bench.counters["bytes_per_cell"] = peak_memory() / cells;
 }
 
 // a = b + 3 c on arrays far larger than the caches: three numbers move for each element.

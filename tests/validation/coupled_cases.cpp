@@ -126,9 +126,11 @@ TEST_F(Coupled, TheLimitCycleOfC2DIsConverged) {
   };
   std::vector<Variant> variants;
   for (const Discretisation& d : all_discretisations()) variants.push_back({d, 500, 0.02});
-  variants.insert(
-      variants.end(),
-      {{usual, 250, 0.02}, {usual, 1000, 0.02}, {usual, 500, 0.005}, {usual, 500, 0.05}});
+  variants.insert(variants.end(), {{usual, 5, 0.02},
+                                   {usual, 250, 0.02},
+                                   {usual, 1000, 0.02},
+                                   {usual, 500, 0.005},
+                                   {usual, 500, 0.05}});
   std::vector<std::vector<double>> rows;
   for (const Variant& variant : variants) {
     Settings settings = settings_of(variant.discretisation);
