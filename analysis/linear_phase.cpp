@@ -24,6 +24,8 @@ constexpr std::array<std::size_t, 3> exponentials = {2, 4, 12};
 // cycle near 0.14 L, Stuart's and Landau's growth rate at these is 18, 5 and 0.5 % below the
 // linear.
 constexpr std::array<double, 3> linear_amplitudes = {0.06, 0.03, 0.01};
+// A flag that comes to rest is looked at until its swings have faded to these shares of the largest.
+constexpr std::array<double, 3> faded = {1e-3, 1e-2, 1e-1};
 constexpr std::array<double, 5> first_shares = {0, 0.15, 0.3, 0.45, 0.6};
 constexpr std::array<double, 3> last_shares = {1, 0.8, 0.6};
 // Fits that differ by less agree; beyond the other they contradict each other. Shares of |lambda|.
@@ -124,6 +126,18 @@ std::array<double, 2> longest_stretch(const std::vector<double>& t,
     if (t[row] - *begin > longest[1] - longest[0]) longest = {*begin, t[row]};
   }
   return longest;
+}
+
+// The last time in a stretch at which a station is further out than a share of the largest there.
+double end_of_fading(const std::vector<double>& t, const std::vector<double>& displacement,
+                     const std::array<double, 2>& stretch, double share) {
+  const Rows rows = rows_between(t, stretch[0], stretch[1]);
+  double largest = 0;
+  for (std::size_t row = rows.begin; row < rows.end; ++row)
+    largest = std::max(largest, displacement[row]);
+  std::size_t last = rows.end;
+  while (last > rows.begin && displacement[last - 1] <= share * largest) --last;
+  return last == rows.end || last == rows.begin ? stretch[1] : t[last - 1];
 }
 
 std::vector<double> largest_displacement(const RunHistory& run) {
@@ -241,13 +255,18 @@ LinearPhase find_linear_phase(const RunHistory& run, const std::vector<Complexes
     return in_given_window(run, components, settings.from.value_or(run.t.front()),
                            settings.to.value_or(run.t.back()));
   const std::vector<double> displacement = largest_displacement(run);
+  std::vector<std::array<double, 2>> stretches;
   std::vector<Candidate> candidates;
-  std::array<double, 2> before = {0, 0};
+  const auto try_stretch = [&](const std::array<double, 2>& stretch) {
+    if (std::ranges::find(stretches, stretch) != stretches.end()) return;
+    stretches.push_back(stretch);
+    add_candidates(run, components, stretch, candidates);
+  };
   for (const double limit : linear_amplitudes) {
     const std::array<double, 2> stretch = longest_stretch(run.t, displacement, limit, start);
-    if (stretch == before) continue;
-    add_candidates(run, components, stretch, candidates);
-    before = stretch;
+    try_stretch(stretch);
+    for (const double share : faded)
+      try_stretch({stretch[0], end_of_fading(run.t, displacement, stretch, share)});
   }
   LinearPhase phase;
   const Candidate* best = best_of(candidates);

@@ -64,6 +64,18 @@ double growing(double t, double first, double sigma, double omega) {
   return first * std::exp(sigma * t) * std::cos(omega * t + 0.4);
 }
 
+// Most of a long run of a stable flag is the noise of its tolerances.
+TEST(Growth, OfAFlagThatComesToRestIsFoundBeforeItsNoise) {
+  test::Noise noise(1e-6);
+  const RunHistory run = synthetic_run(unequal_times(40, 0.01), 1, 1, [&](double, double t) {
+    return growing(t, 0.01, -0.51, 6.26) + noise();
+  });
+  const LinearPhase found = growth_of(run);
+  ASSERT_TRUE(found.growth) << found.note;
+  EXPECT_NEAR(found.growth->sigma, -0.51, 0.005);
+  EXPECT_NEAR(found.growth->omega, 6.26, 0.005);
+}
+
 TEST(Growth, OfASinusoidOnUnequalRowsIsFound) {
   const RunHistory run = synthetic_run(
       unequal_times(14, 0.02), 1, 1, [](double, double t) { return growing(t, 1e-4, 0.35, 5.4); });
