@@ -18,6 +18,8 @@ set_up
 run_pennon lsa data/cases/table1/C2D.toml
 run_pennon modes data/cases/table1/C2D.toml
 run_pennon lsa data/cases/verdicts_of_table1.toml
+run_pennon dns data/cases/table1/C2D.toml
+run_pennon analyze results/C2D
 shopt -s nullglob
 for case_file in data/cases/figures/*.toml; do
   run_pennon lsa "$case_file"

@@ -78,12 +78,13 @@ int run(int argc, char** argv) {
   modes->callback([&] { app::run_modes(options); });
 
   std::string restart;
-  CLI::App* dns = app.add_subcommand(
-      "dns",
-      "direct simulation of the flag by itself, or of the flow about a flag in prescribed motion");
+  CLI::App* dns =
+      app.add_subcommand("dns",
+                         "direct simulation of flag and flow together, of the flag by itself, or "
+                         "of the flow about a flag that moves as prescribed");
   add_case_options(*dns, options);
   dns->add_option("--restart", restart, "go on from this checkpoint");
-  dns->footer("Example: pennon dns data/cases/flag/swinging_membrane.toml");
+  dns->footer("Example: pennon dns data/cases/table1/C2D.toml");
   dns->callback([&] { app::run_dns(options, restart); });
 
   app::AnalyzeOptions analyze_options;
