@@ -5,6 +5,7 @@ pennon_test(test_modes LABEL unit
     unit/modes_families.cpp
     unit/modes_generalised_eigenproblem.cpp
     unit/modes_initial_shape.cpp
+    unit/modes_map_eigenpairs.cpp
     unit/modes_settings.cpp
     unit/modes_spline_space.cpp
     unit/modes_study.cpp
