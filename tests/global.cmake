@@ -1,0 +1,3 @@
+pennon_test(test_global_modes LABEL verification
+            SOURCES verification/global_base_flow.cpp
+            LINK pennon::global pennon::dns)
