@@ -17,7 +17,9 @@ constexpr double first_Re = 10;
 constexpr double widest_step = 10;   // ratio of the Reynolds numbers of two solutions
 constexpr double least_step = 1.05;
 constexpr int most_iterations = 15;
-constexpr double tolerance = 1e-11;  // of the residual over the volume
+// Of a velocity or the pressure by an iteration, the last one: as its errors are squared from one to
+// the next, rounding is what it leaves.
+constexpr double last_change = 1e-7;
 
 double largest_over_volume(const PlaneFlow<double>& R, const Field<double>& volume) {
   double largest = 0;
@@ -39,15 +41,16 @@ class Newton {
 
   // Whether q and is_inflow became a solution.
   bool solve(PlaneFlow<double>& q, std::vector<bool>& is_inflow, BaseFlow& found) {
+    double change = 1;
     for (int iteration = 0;; ++iteration) {
       equations_.set_inflow(is_inflow);
       equations_.evaluate(q, nullptr, R_, nullptr);
       found.residual = largest_over_volume(R_, equations_.metrics().volume);
       const std::vector<bool> last = std::exchange(is_inflow, find_inflow());
-      if (found.residual < tolerance && last == is_inflow) break;
+      if (change < last_change && last == is_inflow) break;
       if (iteration == most_iterations || !std::isfinite(found.residual)) return false;
       complex_equations_.set_inflow(last);
-      step(q);
+      change = step(q);
       ++found.iterations;
       stop_if_interrupted("nothing is written before the modes are found");
     }
@@ -62,12 +65,13 @@ class Newton {
     return is_inflow;
   }
 
-  void step(PlaneFlow<double>& q) {
+  // The largest change of an unknown.
+  double step(PlaneFlow<double>& q) {
     const Jacobian J = jacobian(complex_equations_, q, unknowns_, false);
     const Eigen::UmfPackLU<Eigen::SparseMatrix<double>> factors(J.in_plane);
-    Eigen::VectorXd values = unknowns_.pack(q);
-    values -= factors.solve(unknowns_.pack(R_));
-    unknowns_.unpack(values, q);
+    const Eigen::VectorXd change = factors.solve(unknowns_.pack(R_));
+    unknowns_.unpack<double>(unknowns_.pack(q) - change, q);
+    return change.lpNorm<Eigen::Infinity>();
   }
 
   PlaneEquations<double> equations_;

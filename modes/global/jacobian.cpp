@@ -35,8 +35,23 @@ void read(const PlaneFlow<Complex>& found, const HalfPlane& unknowns, int field,
   });
 }
 
-Eigen::SparseMatrix<double> matrix_of(const Triplets& entries, Eigen::Index n) {
-  Eigen::SparseMatrix<double> matrix(n, n);
+// The same of the forces along z.
+void read_forces(const std::vector<Complex>& force, const HalfPlane& unknowns, int field, int row,
+                 int column, Triplets& entries) {
+  constexpr int rows_at_wall = 3;  // that the traction is found from
+  for_each_seed(unknowns, row, column, [&](int j, int i) {
+    if (j >= rows_at_wall) return;
+    for (int at = std::max(0, i - reach); at <= std::min(unknowns.columns() - 1, i + reach); ++at) {
+      const int segment = unknowns.columns() - 1 - at;  // whose upper face this is
+      const double value = force[static_cast<std::size_t>(segment)].imag();
+      if (value != 0)
+        entries.emplace_back(segment, unknowns.index(field, j, i), value / complex_step);
+    }
+  });
+}
+
+Eigen::SparseMatrix<double> matrix_of(const Triplets& entries, Eigen::Index rows, Eigen::Index n) {
+  Eigen::SparseMatrix<double> matrix(rows, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -53,7 +68,7 @@ PlaneFlow<Complex> complex_flow(const PlaneFlow<double>& q) {
 Jacobian jacobian(PlaneEquations<Complex>& equations, const PlaneFlow<double>& q,
                   const HalfPlane& unknowns, bool with_span) {
   PlaneFlow<Complex> at = complex_flow(q), slope(q.p.extent(), q.components()), R = slope, X = R;
-  Triplets in_plane, along_x, along_x_twice;
+  Triplets in_plane, along_x, along_x_twice, force;
   for (int f = 0; f < unknowns.fields(); ++f)
     for (int row = 0; row < period; ++row)
       for (int column = 0; column < period; ++column) {
@@ -68,6 +83,7 @@ Jacobian jacobian(PlaneEquations<Complex>& equations, const PlaneFlow<double>& q
         equations.evaluate(at, nullptr, R, with_span ? &X : nullptr);
         step_by(at, 0);
         read(R, unknowns, f, row, column, 1, in_plane);
+        read_forces(equations.forces().z, unknowns, f, row, column, force);
         if (!with_span) continue;
         read(X, unknowns, f, row, column, -1, along_x);
         step_by(slope, complex_step);
@@ -77,7 +93,8 @@ Jacobian jacobian(PlaneEquations<Complex>& equations, const PlaneFlow<double>& q
         read(X, unknowns, f, row, column, -1, along_x_twice);
       }
   const Eigen::Index n = unknowns.unknowns();
-  return {matrix_of(in_plane, n), matrix_of(along_x, n), matrix_of(along_x_twice, n)};
+  return {matrix_of(in_plane, n, n), matrix_of(along_x, n, n), matrix_of(along_x_twice, n, n),
+          matrix_of(force, unknowns.columns(), n)};
 }
 
 }  // namespace pennon::modes::global

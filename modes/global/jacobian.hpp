@@ -15,6 +15,7 @@ namespace pennon::modes::global {
 /// along_x_twice, each real. Rows and columns as HalfPlane counts unknowns.
 struct Jacobian {
   Eigen::SparseMatrix<double> in_plane, along_x, along_x_twice;
+  Eigen::SparseMatrix<double> force;  ///< along z on each segment of the flag
 };
 
 /// About the flow q; `equations` holds the grid, its velocity and where fluid enters. With
