@@ -4,7 +4,6 @@
 #include <slepceps.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "common/errors.hpp"
 #include "common/petsc.hpp"
@@ -18,7 +17,7 @@ namespace {
 
 using petsc::check;
 using Complex = std::complex<double>;
-using EigenSolver = petsc::Handle<EPS, EPSDestroy>;
+using Solver = petsc::Handle<EPS, EPSDestroy>;
 static_assert(sizeof(PetscInt) == sizeof(int) && sizeof(PetscScalar) == sizeof(Complex));
 
 // A matrix of PETSc's on the numbers of one of Eigen's, which must outlive it.
@@ -37,10 +36,6 @@ class SharedMatrix {
   petsc::Matrix handle_;
 };
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 // Shift and invert, by factors of MUMPS.
 void set_transformation(EPS solver) {
   ST transformation = nullptr;
@@ -55,6 +50,18 @@ void set_transformation(EPS solver) {
   check(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
 }
 
+// Factors at last; what PETSc says of it becomes a sentence.
+void set_up(EPS solver, const Eigen::SparseMatrix<Complex>& A) {
+  try {
+    check(EPSSetUp(solver));
+  } catch (const SolverError& fault) {
+    throw SolverError(fmt::format(
+        "the global modes' matrix of {} unknowns could not be factored, perhaps for want of memory "
+        "({}); a smaller modes.global.n_rho or n_theta needs less",
+        A.rows(), fault.what()));
+  }
+}
+
 Eigen::VectorXcd copy_of(Vec vector) {
   PetscInt size = 0;
   const PetscScalar* values = nullptr;
@@ -67,45 +74,48 @@ Eigen::VectorXcd copy_of(Vec vector) {
 
 }  // namespace
 
+SlepcSession::SlepcSession() {
+  check(SlepcInitializeNoArguments());
+}
+
+SlepcSession::~SlepcSession() {
+  SlepcFinalize();
+}
+
 Spectrum eigenpairs_near(const Eigen::SparseMatrix<Complex>& A,
-                         const Eigen::SparseMatrix<Complex>& B, const EigenSettings& settings) {
+                         const Eigen::SparseMatrix<Complex>& B, Complex target, int requested) {
+  constexpr double tolerance = 1e-10;      // of SLEPc
+  constexpr double largest_residual = 1e-6;  // of a pair that counts as converged
+  constexpr int most_restarts = 300;
   const SharedMatrix shared_A(A), shared_B(B);
-  EigenSolver solver;
+  Solver solver;
   check(EPSCreate(PETSC_COMM_SELF, solver.address()));
   check(EPSSetOperators(solver, shared_A, shared_B));
   check(EPSSetProblemType(solver, EPS_GNHEP));
   check(EPSSetWhichEigenpairs(solver, EPS_TARGET_MAGNITUDE));
-  check(EPSSetTarget(solver, settings.target));
-  check(EPSSetDimensions(solver, settings.requested, PETSC_DEFAULT, PETSC_DEFAULT));
-  check(EPSSetTolerances(solver, settings.tolerance, settings.most_iterations));
+  check(EPSSetTarget(solver, target));
+  check(EPSSetDimensions(solver, requested, PETSC_DEFAULT, PETSC_DEFAULT));
+  check(EPSSetTolerances(solver, tolerance, most_restarts));
   set_transformation(solver);
   check(EPSSetOptionsPrefix(solver, "global_"));
   check(EPSSetFromOptions(solver));
-  Spectrum spectrum;
-  spectrum.requested = settings.requested;
-  auto begin = std::chrono::steady_clock::now();
-  check(EPSSetUp(solver));
-  spectrum.factor_seconds = seconds_since(begin);
-  begin = std::chrono::steady_clock::now();
+  set_up(solver, A);
   check(EPSSolve(solver));
   PetscInt converged = 0;
   check(EPSGetConverged(solver, &converged));
-  petsc::Vector real, imaginary;
-  check(MatCreateVecs(shared_A, real.address(), nullptr));
-  check(MatCreateVecs(shared_A, imaginary.address(), nullptr));
-  for (PetscInt k = 0; k < converged; ++k) {
-    PetscScalar lambda = 0, unused = 0;
-    check(EPSGetEigenpair(solver, k, &lambda, &unused, real, imaginary));
-    Eigenpair pair{lambda, copy_of(real), 0};
-    const Eigen::VectorXcd Aq = A * pair.q, Bq = B * pair.q;
-    pair.residual = (Aq - lambda * Bq).norm() / (Aq.norm() + std::abs(lambda) * Bq.norm());
-    spectrum.pairs.push_back(std::move(pair));
+  petsc::Vector q;
+  check(MatCreateVecs(shared_A, q.address(), nullptr));
+  Spectrum spectrum;
+  spectrum.requested = requested;
+  std::vector<Eigenpair> pairs;
+  for (PetscInt k = 0; k < std::min(converged, PetscInt{requested}); ++k) {
+    PetscScalar lambda = 0;
+    check(EPSGetEigenpair(solver, k, &lambda, nullptr, q, nullptr));
+    Eigenpair pair{lambda, copy_of(q), 0};
+    pair.residual = residual_of(A, B, pair);
+    if (pair.residual < largest_residual) pairs.push_back(std::move(pair));
   }
-  spectrum.solve_seconds = seconds_since(begin);
-  spectrum.converged = static_cast<int>(spectrum.pairs.size());
-  std::ranges::sort(spectrum.pairs, [](const Eigenpair& a, const Eigenpair& b) {
-    return a.lambda.real() > b.lambda.real();
-  });
+  merge(std::move(pairs), spectrum);
   return spectrum;
 }
 
