@@ -166,18 +166,21 @@ void PlaneEquations<Scalar>::find_forces(const PlaneFlow<Scalar>& q) {
   const auto pressure = [&](int face) {
     return dns::wall_value(q.p.row(0, 0)[face], q.p.row(0, 1)[face], q.p.row(0, 2)[face]);
   };
-  forces_.y.resize(static_cast<std::size_t>(segments));
-  forces_.z.resize(forces_.y.size());
+  for (std::vector<Scalar>* force : {&forces_.x, &forces_.y, &forces_.z})
+    force->assign(static_cast<std::size_t>(segments), Scalar(0));
   for (int s = 0; s < segments; ++s) {
-    const int upper = dns::upper_face(extent_.n_theta, s), lower = dns::lower_face(extent_.n_theta, s);
+    const int upper = dns::upper_face(extent_.n_theta, s),
+              lower = dns::lower_face(extent_.n_theta, s);
     const Scalar jump = pressure(lower) - pressure(upper);
     const auto force = [&](int c, const Field<Scalar>& area) {
       const std::vector<Scalar>& friction = friction_[static_cast<std::size_t>(c)];
       return friction[static_cast<std::size_t>(upper)] + friction[static_cast<std::size_t>(lower)] +
              area.row(0, 0)[upper] * jump;
     };
-    forces_.y[static_cast<std::size_t>(s)] = force(along_y, metrics_.rho_faces.area_y);
-    forces_.z[static_cast<std::size_t>(s)] = force(along_z, metrics_.rho_faces.area_z);
+    const auto at = static_cast<std::size_t>(s);
+    forces_.y[at] = force(along_y, metrics_.rho_faces.area_y);
+    forces_.z[at] = force(along_z, metrics_.rho_faces.area_z);
+    if (has_span()) forces_.x[at] = force(along_x, metrics_.rho_faces.area_x);
   }
 }
 

@@ -57,10 +57,11 @@ struct PlaneFlow {
   }
 };
 
-/// The force of the fluid on each segment of the flag from the leading edge, along y and z.
+/// The force of the fluid on each segment of the flag from the leading edge, along x (0 without a
+/// span), y and z; per unit span.
 template <class Scalar>
 struct SegmentForces {
-  std::vector<Scalar> y, z;
+  std::vector<Scalar> x, y, z;
 };
 
 template <class Scalar>

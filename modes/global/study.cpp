@@ -63,7 +63,8 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
   const double k_x = *settings.k_x;
   const PlaneParameters parameters{.Re = flow.Re, .U = flow.U, .tau = 2 * *settings.dt / 3};
   StopWatch watch;
-  Result result{base_flow(grid, parameters, k_x != 0 ? 3 : 2), dns::coupled_chord(grid)};
+  Result result{.base = base_flow(grid, parameters, k_x != 0 ? 3 : 2)};
+  result.chord = dns::coupled_chord(grid);
   result.base_seconds = watch.seconds();
   watch = {};
   const dns::FlagMaterial material{flag.mu, flag.K_B, flag.K_S, flag.nu_s, flag.damping};

@@ -16,17 +16,17 @@ using EigenSolver = std::function<Spectrum(const CoupledOperator&, std::complex<
                                            int n_modes)>;
 
 struct GlobalMode {
-  std::complex<double> lambda;     ///< growth rate and angular frequency, in V/L
-  double residual;                 ///< |A q - lambda B q| over |A q| + |lambda| |B q|
+  std::complex<double> lambda;             ///< growth rate and angular frequency, in V/L
+  double residual;                         ///< |A q - lambda B q| over |A q| + |lambda| |B q|
   std::vector<std::complex<double>> zeta;  ///< at the nodes of the flag, 1 where it is largest
 };
 
 struct Result {
   BaseFlow base;
-  std::vector<double> chord;       ///< y of the flag's nodes
+  std::vector<double> chord = {};  ///< y of the flag's nodes
   Eigen::Index unknowns = 0;
   int requested = 0, converged = 0;
-  std::vector<GlobalMode> modes;   ///< the converged ones, by falling growth rate
+  std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
 };
 
