@@ -12,6 +12,17 @@ void resolve(std::string& path, const std::string& key, const std::filesystem::p
     faults.about(key, key + " names " + path + ", where there is no file");
 }
 
+modes::global::Discretisation discretisation_of(const dns::Settings& settings) {
+  const dns::FluidSettings& fluid = settings.fluid;
+  return {.n_rho = fluid.n_rho,
+          .n_theta = fluid.n_theta,
+          .n_x = settings.n_x,
+          .R = fluid.R,
+          .wall_spacing = fluid.wall_spacing,
+          .wake_clustering = fluid.wake_clustering,
+          .dt = settings.dt};
+}
+
 }  // namespace
 
 Case::Case() {
@@ -19,6 +30,7 @@ Case::Case() {
   declare(schema, flow, has_flow);
   declare(schema, lsa);
   declare(schema, modes);
+  declare(schema, global_modes);
   declare(schema, dns);
   declare(schema, analysis);
 }
@@ -28,6 +40,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
     : Case() {
   name = file.stem().string();
   Faults faults = read_case_file(file, overrides, schema);
+  global_modes = modes::global::resolve(global_modes, flag, discretisation_of(dns));
   resolve(lsa.marks.table, "lsa.marks.table", file, faults);
   resolve(lsa.verdicts.table, "lsa.verdicts.table", file, faults);
   resolve(modes.decompose.samples, "modes.decompose.samples", file, faults);
@@ -36,6 +49,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
     faults.about("flow", "[flow] is missing: Re, the Reynolds number V L/nu, has no default");
   check(lsa, flag, flow, faults);
   check(modes, flag, flow, faults);
+  check(global_modes, flag, has_flow, faults);
   check(dns, flag, has_flow, faults);
   check(analysis, faults);
   faults.raise();

@@ -12,6 +12,7 @@
 #include "common/schema.hpp"
 #include "dns/settings.hpp"
 #include "lsa/settings.hpp"
+#include "modes/global/settings.hpp"
 #include "modes/settings.hpp"
 
 namespace pennon::app {
@@ -22,6 +23,7 @@ struct Case {
   bool has_flow = false;
   lsa::Settings lsa;
   modes::Settings modes;
+  modes::global::Settings global_modes;
   dns::Settings dns;
   analysis::Settings analysis;
 

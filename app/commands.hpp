@@ -12,7 +12,7 @@ namespace pennon::app {
 /// `pennon lsa CASE`: local stability: points, curves, maps.
 void run_lsa(const Options&);
 
-/// `pennon modes CASE`: normal modes.
+/// `pennon modes CASE`: normal modes, and global modes where the case has [modes.global].
 void run_modes(const Options&);
 
 /// `pennon dns CASE`: direct simulation; so far of a flag by itself. `restart`: a checkpoint, or

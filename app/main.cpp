@@ -71,7 +71,7 @@ int run(int argc, char** argv) {
   lsa->footer("Example: pennon lsa data/cases/table1/C2D.toml --set flag.mu=0.05");
   lsa->callback([&] { app::run_lsa(options); });
 
-  CLI::App* modes = app.add_subcommand("modes", "normal modes of the flag");
+  CLI::App* modes = app.add_subcommand("modes", "normal and global modes of the flag");
   add_case_options(*modes, options);
   modes->footer(
       "Example: pennon modes data/cases/table1/C2D.toml --set modes.normal.family=in_vacuo");

@@ -5,6 +5,9 @@
 
 #include "analysis/plot.hpp"
 #include "app/commands.hpp"
+#include "app/global_process.hpp"
+#include "common/atomic_file.hpp"
+#include "common/csv.hpp"
 #include "modes/study.hpp"
 
 namespace pennon::app {
@@ -32,6 +35,44 @@ nlohmann::ordered_json to_json(const modes::Decomposition& decomposition) {
   return json;
 }
 
+// Shapes along the chord and eigenvalues of what pennon-global found.
+void write_global_tables(const nlohmann::ordered_json& found, const OutputFolder& folder) {
+  CsvText spectrum("global modes exp(lambda t): growth and angular frequency in V/L",
+                   {"growth", "omega", "frequency", "residual"});
+  for (const auto& mode : found["global"]["modes"])
+    spectrum.row({mode["growth"], mode["omega"], mode["frequency"], mode["residual"]});
+  write_file(folder / "global_modes.csv", spectrum.text());
+  CsvText shapes("displacement of the flag in its global modes, 1 where it is largest; y in L",
+                 {"mode", "y", "zeta_real", "zeta_imag"});
+  for (std::size_t m = 0; m < found["zeta"].size(); ++m)
+    for (std::size_t j = 0; j < found["y"].size(); ++j)
+      shapes.row({static_cast<double>(m + 1), found["y"][j], found["zeta"][m][j][0],
+                  found["zeta"][m][j][1]});
+  write_file(folder / "global_shapes.csv", shapes.text());
+}
+
+std::string text_of_global(const nlohmann::ordered_json& found) {
+  const nlohmann::ordered_json& global = found["global"];
+  const nlohmann::ordered_json& base = global["base_flow"];
+  std::string text = fmt::format(
+      "  global modes: {} of {} converged; steady flow: drag coefficient {:.6g}, tension at the "
+      "leading edge {:.6g}\n      growth       omega   frequency  residual\n",
+      global["converged"].get<int>(), global["requested"].get<int>(),
+      base["drag_coefficient"].get<double>(), base["tension_leading_edge"].get<double>());
+  for (const auto& mode : global["modes"])
+    text += fmt::format(" {:11.6g} {:11.6g} {:11.6g}   {:.1e}\n", mode["growth"].get<double>(),
+                        mode["omega"].get<double>(), mode["frequency"].get<double>(),
+                        mode["residual"].get<double>());
+  return text;
+}
+
+nlohmann::ordered_json global_modes(const Case& the_case, const OutputFolder& folder) {
+  const modes::global::Problem problem(the_case.flag, the_case.flow, the_case.global_modes);
+  nlohmann::ordered_json found = solve_global_modes(problem, folder);
+  write_global_tables(found, folder);
+  return found;
+}
+
 }  // namespace
 
 void run_modes(const Options& options) {
@@ -41,9 +82,11 @@ void run_modes(const Options& options) {
       const auto timer = record.time("modes");
       return modes::run(the_case.modes, the_case.flag, the_case.flow);
     }();
-    const auto timer = record.time("output");
-    write(result, folder);
-    analysis::plot(folder / "modes.h5");
+    {
+      const auto timer = record.time("output");
+      write(result, folder);
+      analysis::plot(folder / "modes.h5");
+    }
     nlohmann::ordered_json json = {{"normal", modes::to_json(result)}};
     std::string text = fmt::format("{}: normal modes, {}\n{}", the_case.name,
                                    name_of(result.modes.family), text_of(result));
@@ -51,6 +94,12 @@ void run_modes(const Options& options) {
       json["decomposition"] = to_json(*result.decomposition);
       text += fmt::format("  decomposition: truncation error {:.3g}\n",
                           result.decomposition->truncation_error);
+    }
+    if (the_case.global_modes.is_given) {
+      const auto global_timer = record.time("global modes");
+      const nlohmann::ordered_json found = global_modes(the_case, folder);
+      json["global"] = found["global"];
+      text += text_of_global(found);
     }
     return Answer{json, text};
   };

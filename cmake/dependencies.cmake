@@ -56,12 +56,20 @@ add_library(pennon_suitesparse INTERFACE)
 target_include_directories(pennon_suitesparse SYSTEM INTERFACE ${SUITESPARSE_INCLUDE_DIR})
 target_link_libraries(pennon_suitesparse INTERFACE ${UMFPACK_LIBRARY} ${CHOLMOD_LIBRARY})
 
-# PETSc with real numbers, also where the one with complex numbers is the system's default.
-file(GLOB petsc_real_dirs /usr/lib/petscdir/*/*-real/lib/pkgconfig)
-set(petsc_path $ENV{PKG_CONFIG_PATH})
-list(JOIN petsc_real_dirs ":" petsc_real_path)
-set(ENV{PKG_CONFIG_PATH} "${petsc_real_path}:${petsc_path}")
-pennon_pkg_config(PETSC PETSc libpetsc-real-dev)
-set(ENV{PKG_CONFIG_PATH} "${petsc_path}")
-# Its flags are those of its own package build.
-set_property(TARGET PkgConfig::PETSC PROPERTY INTERFACE_COMPILE_OPTIONS "")
+# PETSc with real numbers for the simulation, with complex ones and SLEPc for the global modes: whichever
+# of the two is the system's default. No program can hold both.
+function(pennon_petsc_of scalar target module package)
+  file(GLOB dirs /usr/lib/petscdir/petsc-${scalar}/lib/pkgconfig
+                 /usr/lib/slepcdir/slepc-${scalar}/lib/pkgconfig
+                 /usr/lib/petscdir/*/*-${scalar}/lib/pkgconfig)
+  set(path $ENV{PKG_CONFIG_PATH})
+  list(JOIN dirs ":" petsc_path)
+  set(ENV{PKG_CONFIG_PATH} "${petsc_path}:${path}")
+  pennon_pkg_config(${target} ${module} ${package})
+  set(ENV{PKG_CONFIG_PATH} "${path}")
+  # Its flags are those of its own package build.
+  set_property(TARGET PkgConfig::${target} PROPERTY INTERFACE_COMPILE_OPTIONS "")
+  set(${target}_VERSION ${${target}_VERSION} PARENT_SCOPE)
+endfunction()
+pennon_petsc_of(real PETSC PETSc libpetsc-real-dev)
+pennon_petsc_of(complex SLEPC SLEPc libslepc-complex-dev)

@@ -19,16 +19,9 @@
 #include "dns/krylov.hpp"
 #include "dns/o_grid.hpp"
 #include "dns/tangent_matrix.hpp"
+#include "dns/wall_faces.hpp"
 
 namespace pennon::dns {
-
-/// The faces of the wall that a chordwise segment s of the flag lies between.
-inline int upper_face(int n_theta, int s) {
-  return n_theta / 2 - 1 - s;
-}
-inline int lower_face(int n_theta, int s) {
-  return n_theta / 2 + s;
-}
 
 /// Pi for one wavenumber k along the span; symmetric but for the wall's extrapolation.
 Eigen::MatrixXd flat_jump_response(const OGrid&, double k);

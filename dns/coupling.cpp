@@ -20,13 +20,6 @@ constexpr double rate_of_return = 1;
 
 }  // namespace
 
-std::vector<double> coupled_chord(const OGrid& grid) {
-  std::vector<double> chord;
-  for (int i = grid.n_theta() / 2; i >= 0; --i) chord.push_back((1 + std::cos(grid.theta(i))) / 2);
-  chord.front() = 0;
-  return chord;
-}
-
 template <int dim>
 NodeVectors<dim> stretched_by_friction(const FlagMesh& mesh, const NodeVectors<dim>& x, double K_S,
                                        double Re) {

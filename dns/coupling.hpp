@@ -18,6 +18,7 @@
 #include "dns/flag_newton.hpp"
 #include "dns/fluid.hpp"
 #include "dns/fluid_forces.hpp"
+#include "dns/wall_faces.hpp"
 
 namespace pennon::dns {
 
@@ -90,9 +91,6 @@ class Coupling {
   SegmentValues weights_;       // root of a segment's share of the flag
   NodeVectors<dim> x_, v_, a_;  // at the end of the step, of the last pass
 };
-
-/// The chordwise nodes of a flag whose segments are the faces of the grid's wall.
-std::vector<double> coupled_chord(const OGrid&);
 
 /// The same positions with the stretch of the boundary layer's friction (4.1): T(y) = 1.3 Re^-1/2
 /// (1 - y^1/2) over K_S for each chordwise segment.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 namespace pennon::dns {
@@ -15,9 +16,10 @@ constexpr int most_passes_of_part = 200;
 constexpr double coarse_tolerance = 1e-4;
 
 // The derivatives of the position, the left side of the equation, and what it is divided by.
+template <class Scalar>
 struct Corner {
-  double y_rho, z_rho, y_theta, z_theta;
-  double y, z, size;
+  Scalar y_rho, z_rho, y_theta, z_theta;
+  Scalar y, z, size;
 };
 
 // d_rho^2 + d_theta^2 at the inner corners.
@@ -93,8 +95,8 @@ EllipticGrid::EllipticGrid(const OGrid& grid)
 }
 
 // use(k, corner): k counts the inner corners.
-template <class Use>
-void EllipticGrid::for_each_corner(int plane, const Displacement<double>& displacement,
+template <class Scalar, class Use>
+void EllipticGrid::for_each_corner(int plane, const Displacement<Scalar>& displacement,
                                    const Use& use) const {
   const int n_theta = grid_.n_theta();
   const double *cos = grid_.along_theta().cos.data(), *sin = grid_.along_theta().sin.data();
@@ -104,56 +106,61 @@ void EllipticGrid::for_each_corner(int plane, const Displacement<double>& displa
     const Differences rho = along_rho_[static_cast<std::size_t>(j - 1)];
     const double cosh = grid_.along_rho().cosh[static_cast<std::size_t>(j)] / 2;
     const double sinh = grid_.along_rho().sinh[static_cast<std::size_t>(j)] / 2;
-    const double *y0 = displacement.y.row(plane, j - 1), *y1 = displacement.y.row(plane, j),
+    const Scalar *y0 = displacement.y.row(plane, j - 1), *y1 = displacement.y.row(plane, j),
                  *y2 = displacement.y.row(plane, j + 1);
-    const double *z0 = displacement.z.row(plane, j - 1), *z1 = displacement.z.row(plane, j),
+    const Scalar *z0 = displacement.z.row(plane, j - 1), *z1 = displacement.z.row(plane, j),
                  *z2 = displacement.z.row(plane, j + 1);
     const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(j - 1) * n_theta;
 #pragma GCC ivdep
     for (int i = 0; i < n_theta; ++i) {
-      const auto by_theta = [&](const double* f) {
+      const auto by_theta = [&](const Scalar* f) -> Scalar {
         return first_before[i] * (f[i] - f[i - 1]) + first_behind[i] * (f[i + 1] - f[i]);
       };
-      const auto by_theta_twice = [&](const double* f) {
+      const auto by_theta_twice = [&](const Scalar* f) -> Scalar {
         return second_before[i] * (f[i] - f[i - 1]) + second_behind[i] * (f[i + 1] - f[i]);
       };
-      const auto by_rho = [&](double below, double here, double above) {
+      const auto by_rho = [&](Scalar below, Scalar here, Scalar above) -> Scalar {
         return rho.first_before * (here - below) + rho.first_behind * (above - here);
       };
-      const auto by_rho_twice = [&](double below, double here, double above) {
+      const auto by_rho_twice = [&](Scalar below, Scalar here, Scalar above) -> Scalar {
         return rho.second_before * (here - below) + rho.second_behind * (above - here);
       };
       // The derivatives of the displacement, and those of the conformal grid.
-      const double y_t1 = by_theta(y1), z_t1 = by_theta(z1);
-      Corner at;
+      const Scalar y_t1 = by_theta(y1), z_t1 = by_theta(z1);
+      Corner<Scalar> at;
       at.y_rho = by_rho(y0[i], y1[i], y2[i]) + sinh * cos[i];
       at.z_rho = by_rho(z0[i], z1[i], z2[i]) + cosh * sin[i];
       at.y_theta = y_t1 - cosh * sin[i];
       at.z_theta = z_t1 + sinh * cos[i];
-      const double y_rhorho = by_rho_twice(y0[i], y1[i], y2[i]) + cosh * cos[i];
-      const double z_rhorho = by_rho_twice(z0[i], z1[i], z2[i]) + sinh * sin[i];
-      const double y_thetatheta = by_theta_twice(y1) - cosh * cos[i];
-      const double z_thetatheta = by_theta_twice(z1) - sinh * sin[i];
-      const double y_rhotheta = by_rho(by_theta(y0), y_t1, by_theta(y2)) - sinh * sin[i];
-      const double z_rhotheta = by_rho(by_theta(z0), z_t1, by_theta(z2)) + cosh * cos[i];
-      const double a = at.y_theta * at.y_theta + at.z_theta * at.z_theta;
-      const double b = at.y_rho * at.y_theta + at.z_rho * at.z_theta;
-      const double c = at.y_rho * at.y_rho + at.z_rho * at.z_rho;
+      const Scalar y_rhorho = by_rho_twice(y0[i], y1[i], y2[i]) + cosh * cos[i];
+      const Scalar z_rhorho = by_rho_twice(z0[i], z1[i], z2[i]) + sinh * sin[i];
+      const Scalar y_thetatheta = by_theta_twice(y1) - cosh * cos[i];
+      const Scalar z_thetatheta = by_theta_twice(z1) - sinh * sin[i];
+      const Scalar y_rhotheta = by_rho(by_theta(y0), y_t1, by_theta(y2)) - sinh * sin[i];
+      const Scalar z_rhotheta = by_rho(by_theta(z0), z_t1, by_theta(z2)) + cosh * cos[i];
+      const Scalar a = at.y_theta * at.y_theta + at.z_theta * at.z_theta;
+      const Scalar b = at.y_rho * at.y_theta + at.z_rho * at.z_theta;
+      const Scalar c = at.y_rho * at.y_rho + at.z_rho * at.z_rho;
       at.size = 0.5 * (a + c);
-      at.y = a * y_rhorho - 2 * b * y_rhotheta + c * y_thetatheta;
-      at.z = a * z_rhorho - 2 * b * z_rhotheta + c * z_thetatheta;
+      at.y = a * y_rhorho - 2.0 * b * y_rhotheta + c * y_thetatheta;
+      at.z = a * z_rhorho - 2.0 * b * z_rhotheta + c * z_thetatheta;
       use(row + i, at);
     }
   }
 }
 
-void EllipticGrid::residual(int plane, const Displacement<double>& displacement, double* y,
-                            double* z) const {
-  for_each_corner(plane, displacement, [=](std::ptrdiff_t k, const Corner& at) {
+template <class Scalar>
+void EllipticGrid::residual(int plane, const Displacement<Scalar>& displacement, Scalar* y,
+                            Scalar* z) const {
+  for_each_corner(plane, displacement, [=](std::ptrdiff_t k, const Corner<Scalar>& at) {
     y[k] = at.y / at.size;
     z[k] = at.z / at.size;
   });
 }
+
+template void EllipticGrid::residual(int, const Displacement<double>&, double*, double*) const;
+template void EllipticGrid::residual(int, const Displacement<std::complex<double>>&,
+                                     std::complex<double>*, std::complex<double>*) const;
 
 void EllipticGrid::find_change(int plane, const Displacement<double>& displacement) {
   const Eigen::Index corners = change_.size() / 2;
@@ -161,7 +168,7 @@ void EllipticGrid::find_change(int plane, const Displacement<double>& displaceme
   double *y_rho = r_rho_.data(), *z_rho = y_rho + corners;
   double *y_theta = r_theta_.data(), *z_theta = y_theta + corners;
   const double* weight = weight_.data();
-  for_each_corner(plane, displacement, [=](std::ptrdiff_t k, const Corner& at) {
+  for_each_corner(plane, displacement, [=](std::ptrdiff_t k, const Corner<double>& at) {
     const double J = at.y_rho * at.z_theta - at.z_rho * at.y_theta;
     const double scale = weight[k] / (at.size * J);
     y[k] = scale * (at.y_theta * at.z - at.z_theta * at.y);

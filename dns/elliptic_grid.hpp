@@ -59,7 +59,8 @@ class EllipticGrid {
 
   /// The left side of the equation above, both components divided by (|r_rho|^2 + |r_theta|^2)/2,
   /// at the inner corners of a plane: rows 1 .. n_rho - 1 of n_theta, one behind the other.
-  void residual(int plane, const Displacement<double>& displacement, double* y, double* z) const;
+  template <class Scalar>
+  void residual(int plane, const Displacement<Scalar>& displacement, Scalar* y, Scalar* z) const;
 
   /// move_wall() and relax(); where that folds, from the grid at rest in small parts. If these fold
   /// too, `displacement` and the summary are those of the last part tried.
@@ -74,8 +75,8 @@ class EllipticGrid {
     double first_before, first_behind, second_before, second_behind;
   };
   static Differences differences(double before, double behind);
-  template <class Use>
-  void for_each_corner(int plane, const Displacement<double>& displacement, const Use& use) const;
+  template <class Scalar, class Use>
+  void for_each_corner(int plane, const Displacement<Scalar>& displacement, const Use& use) const;
   void find_change(int plane, const Displacement<double>& displacement);
   class RowOfAreas;
   void find_worst_cell(int plane, const Displacement<double>&, EllipticGridSummary&) const;

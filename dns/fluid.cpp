@@ -11,6 +11,7 @@
 #include "common/errors.hpp"
 #include "common/ranks.hpp"
 #include "common/smooth_rise.hpp"
+#include "dns/ghosts.hpp"
 #include "dns/packing.hpp"
 
 namespace pennon::dns {
@@ -253,23 +254,9 @@ void Fluid::predict(FluidState& state) {
 void Fluid::find_convection() {
   const bool has_span = span_.has_span();
   for_each_row(extent_, [&](int plane, int j) {
-    const double *v = guess_[along_y].row(plane, j), *w = guess_[along_z].row(plane, j);
-    const double *v_g = grid_velocity_y_.row(plane, j), *w_g = grid_velocity_z_.row(plane, j);
-    const double *s_y = metrics_.s_y.row(plane, j), *s_z = metrics_.s_z.row(plane, j);
-    const double *t_y = metrics_.t_y.row(plane, j), *t_z = metrics_.t_z.row(plane, j);
     double *C_s = C_s_.row(plane, j), *C_t = C_t_.row(plane, j);
-    for (int i = 0; i < extent_.n_theta; ++i) {
-      C_s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
-      C_t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
-    }
-    if (has_span) {
-      const double* u = guess_[along_x].row(plane, j);
-      const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
-      for (int i = 0; i < extent_.n_theta; ++i) {
-        C_s[i] += u[i] * s_x[i];
-        C_t[i] += u[i] * t_x[i];
-      }
-    }
+    convecting_velocity(metrics_, plane, j, has_span ? &guess_[along_x] : nullptr, guess_[along_y],
+                        guess_[along_z], grid_velocity_y_, grid_velocity_z_, C_s, C_t);
     double& CFL = step_.summary.CFL;
     for (int i = 0; i < extent_.n_theta; ++i)
       CFL = std::max(CFL, (std::abs(C_s[i]) + std::abs(C_t[i])) * step_.dt);
@@ -377,7 +364,7 @@ void Fluid::pose_projection(FluidState& state) {
     velocity_flux(metrics_, plane, u_x, guess_[along_y], guess_[along_z], flux_rho_, flux_theta_);
     const FaceMetrics<double>& faces = metrics_.rho_faces;
     const auto outside = [&](const Field<double>& f, int i) {
-      return 1.5 * f.row(plane, n_rho - 1)[i] - 0.5 * f.row(plane, n_rho - 2)[i];
+      return outside_value(f.row(plane, n_rho - 1)[i], f.row(plane, n_rho - 2)[i]);
     };
     for (int i = 0; i < n_theta; ++i) {
       double outer = faces.area_y.row(plane, n_rho)[i] * outside(guess_[along_y], i) +

@@ -36,19 +36,9 @@ void Fluid::extend_inflow(int plane, const std::vector<bool>& is_inflow,
 
 // p = -u_n v'_n where fluid enters, 0 where it leaves.
 void Fluid::find_outer_pressure(const std::vector<Field<double>>& u) {
-  const FaceMetrics<double>& faces = metrics_.rho_faces;
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    const double *A_y = faces.area_y.row(plane, extent_.n_rho),
-                 *A_z = faces.area_z.row(plane, extent_.n_rho);
-    const auto outside = [&](const Field<double>& f, int i) {
-      return 1.5 * f.row(plane, extent_.n_rho - 1)[i] - 0.5 * f.row(plane, extent_.n_rho - 2)[i];
-    };
-    for (int i = 0; i < extent_.n_theta; ++i) {
-      const double flux = A_y[i] * outside(u[0], i) + A_z[i] * outside(u[1], i);
-      outer_pressure_[extent_.wall_face(plane, i)] =
-          -std::min(flux, 0.0) * (flux - A_y[i] * stream(0)) / (A_y[i] * A_y[i] + A_z[i] * A_z[i]);
-    }
-  }
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    dns::find_outer_pressure(plane, metrics_.rho_faces, u[0], u[1], stream(0),
+                             outer_pressure_.data() + extent_.wall_face(plane, 0));
 }
 
 // Takes what the pressure of the outer boundary makes of the gradient by itself from the fluxes
@@ -80,15 +70,8 @@ void Fluid::extend_pressure(Field<double>& p) const {
 
 // With `share` of the pressure at the outer boundary.
 void Fluid::extend_pressure(Field<double>& p, double share) const {
-  const int n_rho = extent_.n_rho;
-  for (int plane = 0; plane < extent_.planes; ++plane) {
-    extrapolate_to_wall(plane, p);
-    const double* last = p.row(plane, n_rho - 1);
-    double* ghost = p.row(plane, n_rho);
-    for (int i = 0; i < extent_.n_theta; ++i)
-      ghost[i] = 2 * share * outer_pressure_[extent_.wall_face(plane, i)] - last[i];
-    p.wrap_theta(plane, -1, n_rho + 1);
-  }
+  for (int plane = 0; plane < extent_.planes; ++plane)
+    dns::extend_pressure(plane, outer_pressure_.data() + extent_.wall_face(plane, 0), share, p);
 }
 
 // The integral of lap f over the cells of a plane, without what only its neighbours give: into
@@ -96,17 +79,7 @@ void Fluid::extend_pressure(Field<double>& p, double share) const {
 void Fluid::balance_plane(int plane, const Field<double>& f, Field<double>* f_xi,
                           bool with_wall_flux) {
   gradient_balance(metrics_, plane, f, f_xi, with_wall_flux, balance_);
-  if (!f_xi) return;
-  for (int j = 0; j < extent_.n_rho; ++j) {
-    const double *below = f.row(plane, j - 1), *here = f.row(plane, j),
-                 *above = f.row(plane, j + 1);
-    const double *s_x = metrics_.s_x.row(plane, j), *t_x = metrics_.t_x.row(plane, j);
-    const double* volume = metrics_.volume.row(plane, j);
-    double* flux = f_xi->row(plane, j);
-    for (int i = 0; i < extent_.n_theta; ++i)
-      flux[i] = volume[i] * (flux[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
-                             t_x[i] * 0.5 * (here[i + 1] - here[i - 1]));
-  }
+  if (f_xi) gradient_flux_along_x(metrics_, plane, f, *f_xi);
 }
 
 // (C . grad) f in a plane, into carried_, from f with its ghosts.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 #include <vector>
 
 #include "dns/field.hpp"
@@ -51,6 +52,41 @@ void extend_outward(int plane, bool is_viscous, Field<Scalar>& f) {
     near[i] = is_viscous ? f0[i] : 3.0 * (f0[i] - f1[i]) + f2[i];
     far[i] = is_viscous ? f0[i] : 6.0 * f0[i] - 8.0 * f1[i] + 3.0 * f2[i];
   }
+}
+
+/// The value at the outer face of the line through the two nearest cells.
+template <class Scalar>
+Scalar outside_value(const Scalar& last, const Scalar& before) {
+  return 1.5 * last - 0.5 * before;
+}
+
+/// p = -u_n v'_n at the n_theta outer faces where fluid enters, 0 where it leaves; v, w along y, z.
+template <class Scalar>
+void find_outer_pressure(int plane, const FaceMetrics<Scalar>& rho_faces, const Field<Scalar>& v,
+                         const Field<Scalar>& w, double stream, Scalar* outer_pressure) {
+  const int n_rho = v.extent().n_rho;
+  const Scalar *A_y = rho_faces.area_y.row(plane, n_rho), *A_z = rho_faces.area_z.row(plane, n_rho);
+  const auto outside = [&](const Field<Scalar>& f, int i) {
+    return outside_value(f.row(plane, n_rho - 1)[i], f.row(plane, n_rho - 2)[i]);
+  };
+  for (int i = 0; i < v.extent().n_theta; ++i) {
+    const Scalar flux = A_y[i] * outside(v, i) + A_z[i] * outside(w, i);
+    const Scalar inward = std::real(flux) < 0 ? flux : Scalar(0);
+    outer_pressure[i] =
+        -inward * (flux - A_y[i] * stream) / (A_y[i] * A_y[i] + A_z[i] * A_z[i]);
+  }
+}
+
+/// The ghosts of the pressure, with `share` of that of the outer faces.
+template <class Scalar>
+void extend_pressure(int plane, const Scalar* outer_pressure, double share, Field<Scalar>& p) {
+  const int n_rho = p.extent().n_rho;
+  extrapolate_to_wall(plane, p);
+  const Scalar* last = p.row(plane, n_rho - 1);
+  Scalar* ghost = p.row(plane, n_rho);
+  for (int i = 0; i < p.extent().n_theta; ++i)
+    ghost[i] = 2 * share * outer_pressure[i] - last[i];
+  p.wrap_theta(plane, -1, n_rho + 1);
 }
 
 /// What enters through the outer boundary: `velocity` (v, w) less its `stream` along y is normal to

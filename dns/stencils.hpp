@@ -114,6 +114,22 @@ void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Sca
   }
 }
 
+/// volume times df/dx at the cells of a plane, over the derivative by xi.
+template <class Scalar>
+void gradient_flux_along_x(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
+                           Field<Scalar>& f_xi) {
+  for (int j = 0; j < f.extent().n_rho; ++j) {
+    const Scalar *below = f.row(plane, j - 1), *here = f.row(plane, j),
+                 *above = f.row(plane, j + 1);
+    const Scalar *s_x = metrics.s_x.row(plane, j), *t_x = metrics.t_x.row(plane, j);
+    const Scalar* volume = metrics.volume.row(plane, j);
+    Scalar* flux = f_xi.row(plane, j);
+    for (int i = 0; i < f.extent().n_theta; ++i)
+      flux[i] = volume[i] * (flux[i] + s_x[i] * 0.5 * (above[i] - below[i]) +
+                             t_x[i] * 0.5 * (here[i + 1] - here[i - 1]));
+  }
+}
+
 /// The components of grad f at the cells of a plane. x null: no span.
 template <class Scalar>
 struct GradientView {
@@ -158,6 +174,30 @@ void gradient_component(int plane, const Field<Scalar>& grad_s, const Field<Scal
     Scalar* out = result.row(plane, j);
     for (int i = 0; i < f.extent().n_theta; ++i)
       out[i] = s[i] * (0.5 * (above[i] - below[i])) + t[i] * (0.5 * (here[i + 1] - here[i - 1]));
+  }
+}
+
+/// What carries the velocity, v - v_g, in cells along s and t per time, at row j. u_x null: no span.
+template <class Scalar>
+void convecting_velocity(const Metrics<Scalar>& metrics, int plane, int j, const Field<Scalar>* u_x,
+                         const Field<Scalar>& u_y, const Field<Scalar>& u_z,
+                         const Field<Scalar>& grid_velocity_y, const Field<Scalar>& grid_velocity_z,
+                         Scalar* C_s, Scalar* C_t) {
+  const int n_theta = u_y.extent().n_theta;
+  const Scalar *v = u_y.row(plane, j), *w = u_z.row(plane, j);
+  const Scalar *v_g = grid_velocity_y.row(plane, j), *w_g = grid_velocity_z.row(plane, j);
+  const Scalar *s_y = metrics.s_y.row(plane, j), *s_z = metrics.s_z.row(plane, j);
+  const Scalar *t_y = metrics.t_y.row(plane, j), *t_z = metrics.t_z.row(plane, j);
+  for (int i = 0; i < n_theta; ++i) {
+    C_s[i] = (v[i] - v_g[i]) * s_y[i] + (w[i] - w_g[i]) * s_z[i];
+    C_t[i] = (v[i] - v_g[i]) * t_y[i] + (w[i] - w_g[i]) * t_z[i];
+  }
+  if (!u_x) return;
+  const Scalar* u = u_x->row(plane, j);
+  const Scalar *s_x = metrics.s_x.row(plane, j), *t_x = metrics.t_x.row(plane, j);
+  for (int i = 0; i < n_theta; ++i) {
+    C_s[i] += u[i] * s_x[i];
+    C_t[i] += u[i] * t_x[i];
   }
 }
 

@@ -1,0 +1,63 @@
+/// pennon-global PROBLEM RESULT: the global modes of the problem that `pennon modes` wrote, into
+/// RESULT (JSON). A program of its own, because PETSc with complex numbers and PETSc with real ones
+/// cannot share a process. Exit codes as those of pennon.
+#include <fmt/format.h>
+
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "common/atomic_file.hpp"
+#include "common/errors.hpp"
+#include "common/interrupt.hpp"
+#include "common/petsc.hpp"
+#include "modes/global/slepc/eigensolver.hpp"
+#include "modes/global/study.hpp"
+
+namespace {
+
+using namespace pennon;
+using namespace pennon::modes;
+
+constexpr int exit_done = 0;
+constexpr int exit_other = 1;
+constexpr int exit_bad_input = 2;
+constexpr int exit_not_converged = 3;
+
+void solve(const char* problem_file, const char* result_file) {
+  global::Problem problem;
+  read_case_file(problem_file, {}, problem.schema).raise();
+  const petsc::Session session;
+  const global::SlepcSession slepc;
+  const auto eigenpairs = [](const global::CoupledOperator& coupled, std::complex<double> target,
+                             int n_modes) {
+    return global::eigenpairs_near(coupled.A, coupled.B, target, n_modes);
+  };
+  const global::Result result =
+      global::run(problem.flag, problem.flow, problem.settings, eigenpairs);
+  write_file(result_file, to_json(result).dump(1) + "\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    fmt::print(stderr, "usage: pennon-global PROBLEM RESULT; pennon modes starts it\n");
+    return exit_bad_input;
+  }
+  watch_for_interrupts();
+  try {
+    solve(argv[1], argv[2]);
+    return exit_done;
+  } catch (const InputError& fault) {
+    fmt::print(stderr, "{}\n", fault.what());
+    return exit_bad_input;
+  } catch (const SolverError& fault) {
+    fmt::print(stderr, "pennon: {}\n", fault.what());
+    return exit_not_converged;
+  } catch (const std::exception& fault) {
+    fmt::print(stderr, "pennon: {}\n", fault.what());
+    return exit_other;
+  }
+}

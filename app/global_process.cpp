@@ -1,0 +1,113 @@
+#include "app/global_process.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "common/atomic_file.hpp"
+#include "common/errors.hpp"
+#include "common/interrupt.hpp"
+
+namespace pennon::app {
+namespace {
+
+struct ProcessEnd {
+  int status = 0;      // exit status; 128 and more: a signal
+  std::string errors;  // what it said
+};
+
+[[noreturn]] void fail(const std::string& what) {
+  throw FileError(fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+std::string read_all(int pipe_end) {
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (;;) {
+    const ssize_t count = read(pipe_end, buffer.data(), buffer.size());
+    if (count > 0)
+      text.append(buffer.data(), static_cast<std::size_t>(count));
+    else if (count == 0 || errno != EINTR)
+      return text;
+  }
+}
+
+// Runs a program to its end, with its standard error taken down.
+ProcessEnd run_program(const std::filesystem::path& program, const std::filesystem::path& first,
+                       const std::filesystem::path& second) {
+  std::array<int, 2> pipe_ends{};
+  if (pipe(pipe_ends.data()) != 0) fail("no pipe to pennon-global");
+  const std::array<const char*, 4> arguments = {program.c_str(), first.c_str(), second.c_str(),
+                                                nullptr};
+  const pid_t child = fork();
+  if (child < 0) fail("pennon-global cannot be started");
+  if (child == 0) {
+    dup2(pipe_ends[1], STDERR_FILENO);
+    close(pipe_ends[0]);
+    close(pipe_ends[1]);
+    execv(program.c_str(), const_cast<char* const*>(arguments.data()));
+    _exit(127);
+  }
+  close(pipe_ends[1]);
+  ProcessEnd end;
+  end.errors = read_all(pipe_ends[0]);
+  close(pipe_ends[0]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  end.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return end;
+}
+
+std::filesystem::path program_beside_this() {
+  const std::filesystem::path folder =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::filesystem::path program = folder / "pennon-global";
+  if (access(program.c_str(), X_OK) != 0)
+    throw FileError(fmt::format(
+        "pennon-global, the program that finds global modes, is not beside pennon in {}",
+        folder.string()));
+  return program;
+}
+
+// The sentence without the name of the program before it.
+std::string sentence_of(std::string errors) {
+  constexpr std::string_view name = "pennon: ";
+  while (!errors.empty() && errors.back() == '\n') errors.pop_back();
+  return errors.starts_with(name) ? errors.substr(name.size()) : errors;
+}
+
+void raise(const ProcessEnd& end) {
+  const std::string sentence = sentence_of(end.errors);
+  stop_if_interrupted("no global modes were written");
+  if (end.status == 2) throw InputError("modes.global", sentence);
+  if (end.status == 3) throw SolverError(sentence);
+  if (end.status >= 128)
+    throw std::runtime_error(fmt::format(
+        "pennon-global was ended by signal {}, perhaps for want of memory; a smaller "
+        "modes.global.n_rho or n_theta needs less. {}",
+        end.status - 128, sentence));
+  if (end.status != 0) throw std::runtime_error("pennon-global: " + sentence);
+}
+
+}  // namespace
+
+nlohmann::ordered_json solve_global_modes(const modes::global::Problem& problem,
+                                          const OutputFolder& folder) {
+  const std::filesystem::path asked = folder / "global_problem.toml",
+                              answered = folder / "global_modes.json";
+  write_file(asked, "# What pennon-global solved.\n" + resolved_text(problem.schema));
+  raise(run_program(program_beside_this(), asked, answered));
+  std::ifstream file(answered);
+  return nlohmann::ordered_json::parse(file);
+}
+
+}  // namespace pennon::app

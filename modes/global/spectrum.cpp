@@ -1,0 +1,63 @@
+#include "modes/global/spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/UmfPackSupport>
+#include <algorithm>
+
+#include "common/errors.hpp"
+
+namespace pennon::modes::global {
+namespace {
+
+using Complex = std::complex<double>;
+using Matrix = Eigen::SparseMatrix<Complex>;
+
+// Between eigenvalues that are one, over 1 + |lambda|.
+constexpr double same_eigenvalue = 1e-6;
+
+}  // namespace
+
+double residual_of(const Matrix& A, const Matrix& B, const Eigenpair& pair) {
+  const Eigen::VectorXcd Aq = A * pair.q, Bq = B * pair.q;
+  return (Aq - pair.lambda * Bq).norm() / (Aq.norm() + std::abs(pair.lambda) * Bq.norm());
+}
+
+void merge(std::vector<Eigenpair> others, Spectrum& spectrum) {
+  for (Eigenpair& pair : others) {
+    const auto same = std::ranges::find_if(spectrum.pairs, [&](const Eigenpair& known) {
+      return std::abs(known.lambda - pair.lambda) < same_eigenvalue * (1 + std::abs(pair.lambda));
+    });
+    if (same == spectrum.pairs.end())
+      spectrum.pairs.push_back(std::move(pair));
+    else if (pair.residual < same->residual)
+      *same = std::move(pair);
+  }
+  std::ranges::sort(spectrum.pairs, [](const Eigenpair& a, const Eigenpair& b) {
+    return a.lambda.real() > b.lambda.real();
+  });
+}
+
+Eigenpair eigenpair_near(const Matrix& A, const Matrix& B, Complex target) {
+  constexpr int most_shifts = 20, iterations_of_shift = 8;
+  constexpr double tolerance = 1e-12, aside = 1e-6;  // of the shift from the eigenvalue
+  Eigenpair pair{target, Eigen::VectorXcd::Ones(A.rows()), 1};
+  for (int shift = 0; shift < most_shifts; ++shift) {
+    const Matrix shifted = A - target * B;
+    const Eigen::UmfPackLU<Matrix> factors(shifted);
+    for (int k = 0; k < iterations_of_shift; ++k) {
+      const Eigen::VectorXcd right = B * pair.q, next = factors.solve(right);
+      const Complex by = pair.q.dot(next) / pair.q.squaredNorm();
+      pair = {target + 1.0 / by, next / next.norm(), 1};
+      pair.residual = residual_of(A, B, pair);
+      if (pair.residual < tolerance) return pair;
+    }
+    target = pair.lambda + aside * (1 + std::abs(pair.lambda));
+  }
+  throw SolverError(
+      fmt::format("inverse iteration near {:.6g} {:+.6g} i left a residual of {:.3g}; another "
+                  "target may help",
+                  target.real(), target.imag(), pair.residual));
+}
+
+}  // namespace pennon::modes::global

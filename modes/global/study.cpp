@@ -1,0 +1,119 @@
+#include "modes/global/study.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "common/errors.hpp"
+#include "dns/wall_faces.hpp"
+
+namespace pennon::modes::global {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Where the leading modes are sought without a target.
+const std::vector<Complex> usual_targets = {{0.5, 2}, {0.5, 5}, {0.5, 8}, {0.5, 11}};
+
+class StopWatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+OGrid grid_of(const Settings& settings) {
+  return OGrid({static_cast<int>(settings.n_rho), static_cast<int>(settings.n_theta), *settings.R,
+                *settings.wall_spacing, *settings.wake_clustering});
+}
+
+// The node that moves most has the displacement 1.
+GlobalMode mode_of(const Eigenpair& pair, const CoupledOperator& coupled) {
+  const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes);
+  Eigen::Index largest = 0;
+  zeta.cwiseAbs().maxCoeff(&largest);
+  const Complex scale = zeta[largest] == 0.0 ? Complex(1) : zeta[largest];
+  GlobalMode mode{pair.lambda, pair.residual, {Complex(0)}};  // the leading edge is held
+  for (const Complex& value : zeta) mode.zeta.push_back(value / scale);
+  return mode;
+}
+
+Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
+                     const EigenSolver& solve) {
+  const int n_modes = static_cast<int>(settings.n_modes);
+  std::vector<Complex> targets = usual_targets;
+  if (!settings.target.empty()) targets = {Complex(settings.target[0], settings.target[1])};
+  Spectrum spectrum;
+  spectrum.requested = n_modes;
+  for (const Complex& target : targets) merge(solve(coupled, target, n_modes).pairs, spectrum);
+  if (spectrum.pairs.size() > static_cast<std::size_t>(n_modes))
+    spectrum.pairs.resize(static_cast<std::size_t>(n_modes));
+  return spectrum;
+}
+
+}  // namespace
+
+Result run(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
+           const EigenSolver& solve) {
+  const OGrid grid = grid_of(settings);
+  const double k_x = *settings.k_x;
+  const PlaneParameters parameters{.Re = flow.Re, .U = flow.U, .tau = 2 * *settings.dt / 3};
+  StopWatch watch;
+  Result result{.base = base_flow(grid, parameters, k_x != 0 ? 3 : 2)};
+  result.chord = dns::coupled_chord(grid);
+  result.base_seconds = watch.seconds();
+  watch = {};
+  const dns::FlagMaterial material{flag.mu, flag.K_B, flag.K_S, flag.nu_s, flag.damping};
+  const dns::Edge edge =
+      flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned;
+  const FlagOperator structure = flag_operator(result.chord, edge, material, result.base.forces,
+                                               k_x, static_cast<int>(settings.n_x));
+  const CoupledOperator coupled = coupled_operator(grid, result.base, structure, k_x);
+  result.unknowns = coupled.A.rows();
+  result.operator_seconds = watch.seconds();
+  watch = {};
+  const Spectrum spectrum = spectrum_of(coupled, settings, solve);
+  result.eigen_seconds = watch.seconds();
+  result.requested = spectrum.requested;
+  result.converged = static_cast<int>(spectrum.pairs.size());
+  if (spectrum.pairs.empty())
+    throw SolverError(
+        "no global mode converged; another modes.global.target or a finer grid may help");
+  for (const Eigenpair& pair : spectrum.pairs) result.modes.push_back(mode_of(pair, coupled));
+  return result;
+}
+
+nlohmann::ordered_json to_json(const Result& result) {
+  nlohmann::ordered_json json = {
+      {"base_flow",
+       {{"drag_coefficient", result.base.drag_coefficient},
+        {"tension_leading_edge", result.base.tension.front()},
+        {"residual", result.base.residual}}},
+      {"requested", result.requested},
+      {"converged", result.converged}};
+  json["modes"] = nlohmann::ordered_json::array();
+  nlohmann::ordered_json shapes = nlohmann::ordered_json::array();
+  for (const GlobalMode& mode : result.modes) {
+    json["modes"].push_back({{"growth", mode.lambda.real()},
+                             {"omega", mode.lambda.imag()},
+                             {"frequency", mode.lambda.imag() / (2 * std::numbers::pi)},
+                             {"residual", mode.residual}});
+    nlohmann::ordered_json& shape = shapes.emplace_back(nlohmann::ordered_json::array());
+    for (const Complex& value : mode.zeta) shape.push_back({value.real(), value.imag()});
+  }
+  return {{"global", json},
+          {"unknowns", result.unknowns},
+          {"y", result.chord},
+          {"tension", result.base.tension},
+          {"zeta", shapes},
+          {"seconds",
+           {{"base_flow", result.base_seconds},
+            {"operator", result.operator_seconds},
+            {"eigenpairs", result.eigen_seconds}}}};
+}
+
+}  // namespace pennon::modes::global

@@ -1,0 +1,41 @@
+/// The global modes that a case asks for: steady flow, operator, spectrum. The eigensolver is handed
+/// in, so that this stays free of it.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+
+#include "modes/global/coupled_operator.hpp"
+#include "modes/global/settings.hpp"
+#include "modes/global/spectrum.hpp"
+
+namespace pennon::modes::global {
+
+/// A few eigenpairs of A q = lambda B q next to a target.
+using EigenSolver = std::function<Spectrum(const CoupledOperator&, std::complex<double> target,
+                                           int n_modes)>;
+
+struct GlobalMode {
+  std::complex<double> lambda;             ///< growth rate and angular frequency, in V/L
+  double residual;                         ///< |A q - lambda B q| over |A q| + |lambda| |B q|
+  std::vector<std::complex<double>> zeta;  ///< at the nodes of the flag, 1 where it is largest
+};
+
+struct Result {
+  BaseFlow base;
+  std::vector<double> chord = {};  ///< y of the flag's nodes
+  Eigen::Index unknowns = 0;
+  int requested = 0, converged = 0;
+  std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
+  double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
+};
+
+/// Precondition: the settings are resolved. Without a target the modes next to several points along
+/// the axis of the angular frequency are sought, and the n_modes that grow most are kept. Throws
+/// SolverError.
+Result run(const FlagParameters&, const FlowParameters&, const Settings&, const EigenSolver&);
+
+/// What pennon-global hands back: the value of "global" in summary.json, the shapes and the times.
+nlohmann::ordered_json to_json(const Result&);
+
+}  // namespace pennon::modes::global

@@ -1,0 +1,57 @@
+// SLEPc on pencils whose spectrum is known.
+#include <gtest/gtest.h>
+
+#include "common/petsc.hpp"
+#include "modes/global/slepc/eigensolver.hpp"
+
+namespace pennon::modes::global {
+namespace {
+
+using Complex = std::complex<double>;
+using Matrix = Eigen::SparseMatrix<Complex>;
+
+void start() {
+  petsc::start();
+  static const SlepcSession session;
+}
+
+// Blocks [0 1; -5 -2], of -1 +- 2i, and then n on the diagonal; B singular in the last row.
+Matrix stiffness(int n) {
+  Matrix A(n, n);
+  A.insert(0, 1) = 1;
+  A.insert(1, 0) = -5;
+  A.insert(1, 1) = -2;
+  for (int k = 2; k < n; ++k) A.insert(k, k) = k;
+  A.insert(0, 0) = 0;
+  return A;
+}
+
+Matrix mass(int n) {
+  Matrix B(n, n);
+  for (int k = 0; k + 1 < n; ++k) B.insert(k, k) = 1;
+  return B;
+}
+
+TEST(GlobalEigensolver, FindsTheEigenvaluesOfADiagonalAndOfA2By2Block) {
+  start();
+  constexpr int n = 40;
+  const Spectrum near_block = eigenpairs_near(stiffness(n), mass(n), {-1, 1.9}, 1);
+  ASSERT_EQ(near_block.pairs.size(), 1u);
+  EXPECT_LT(std::abs(near_block.pairs[0].lambda - Complex(-1, 2)), 1e-12);
+  const Spectrum near_diagonal = eigenpairs_near(stiffness(n), mass(n), {7.3, 0}, 3);
+  ASSERT_EQ(near_diagonal.pairs.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_LT(std::abs(near_diagonal.pairs[k].lambda - (8.0 - static_cast<double>(k))), 1e-10);
+  EXPECT_EQ(near_diagonal.requested, 3);
+}
+
+TEST(GlobalEigensolver, SurvivesATargetOnAnEigenvalue) {
+  start();
+  constexpr int n = 40;
+  const Spectrum spectrum = eigenpairs_near(stiffness(n), mass(n), {7 + 1e-12, 0}, 1);
+  ASSERT_FALSE(spectrum.pairs.empty());
+  EXPECT_LT(std::abs(spectrum.pairs[0].lambda - 7.0), 1e-8);
+}
+
+}  // namespace
+}  // namespace pennon::modes::global

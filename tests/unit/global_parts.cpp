@@ -1,0 +1,152 @@
+// The parts of the global modes' operator, one by one.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <complex>
+#include <random>
+
+#include "common/errors.hpp"
+#include "dns/wall_faces.hpp"
+#include "modes/global/base_flow.hpp"
+#include "modes/global/flag_operator.hpp"
+#include "modes/global/grid_response.hpp"
+#include "modes/global/jacobian.hpp"
+#include "modes/global/spectrum.hpp"
+#include "modes/in_vacuo.hpp"
+
+namespace pennon::modes::global {
+namespace {
+
+using Complex = std::complex<double>;
+using Matrix = Eigen::SparseMatrix<Complex>;
+
+const dns::OGridSettings small_grid = {.n_rho = 10, .n_theta = 24, .R = 3, .wall_spacing = 0.12};
+
+std::vector<bool> inflow_upstream(const dns::OGrid& grid) {
+  std::vector<bool> is_inflow;
+  for (int i = 0; i < grid.n_theta(); ++i)
+    is_inflow.push_back(std::cos(grid.theta_centre(i)) < 0);
+  return is_inflow;
+}
+
+Eigen::VectorXd random_vector(Eigen::Index n) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  return Eigen::VectorXd::NullaryExpr(n, [&] { return number(random); });
+}
+
+TEST(GlobalJacobian, IsTheDifferenceOfTheEquationsForEitherSymmetry) {
+  const dns::OGrid grid(small_grid);
+  const PlaneParameters parameters{.Re = 50, .tau = 0.02};
+  const BaseFlow base = base_flow(grid, parameters, 2);
+  for (const Symmetry symmetry : {Symmetry::symmetric, Symmetry::antisymmetric}) {
+    const HalfPlane unknowns(base.q.p.extent(), 2, symmetry);
+    PlaneEquations<Complex> complex_equations(grid, parameters, 2);
+    complex_equations.set_inflow(inflow_upstream(grid));
+    const Jacobian J = jacobian(complex_equations, base.q, unknowns, false);
+    PlaneEquations<double> equations(grid, parameters, 2);
+    equations.set_inflow(inflow_upstream(grid));
+    const Eigen::VectorXd direction = random_vector(unknowns.unknowns());
+    constexpr double h = 1e-6;
+    const auto residual_at = [&](double step) {
+      PlaneFlow<double> q(base.q), change(base.q.p.extent(), 2), R(base.q.p.extent(), 2);
+      unknowns.unpack<double>(step * direction, change);
+      for (int f = 0; f < q.fields(); ++f)
+        for (std::size_t k = 0; k < q.p.values().size(); ++k)
+          q.field(f).values()[k] += change.field(f).values()[k];
+      equations.evaluate(q, nullptr, R, nullptr);
+      return unknowns.pack(R);
+    };
+    const Eigen::VectorXd difference = (residual_at(h) - residual_at(-h)) / (2 * h);
+    EXPECT_LT((J.in_plane * direction - difference).norm(), 1e-7 * difference.norm());
+  }
+}
+
+TEST(GlobalGridResponse, IsThatOfTheEllipticGridToASmallDisplacement) {
+  const dns::OGrid grid(small_grid);
+  const std::vector<Displacement<double>> response = grid_response(grid);
+  const int node = 7, n_theta = grid.n_theta(), corner = n_theta / 2 - node;
+  constexpr double amplitude = 1e-5;
+  Displacement<double> displacement(Extent{1, grid.n_rho(), n_theta});
+  std::vector<double> y(static_cast<std::size_t>(n_theta)), z(y.size());
+  z[static_cast<std::size_t>(corner)] = z[static_cast<std::size_t>(n_theta - corner)] = amplitude;
+  dns::EllipticGrid(grid).follow(0, y.data(), z.data(), displacement, 1e-16, 300);
+  constexpr double of_second_order = 1e3 * amplitude;  // over the square of the cells' size
+  for (int j = 0; j <= grid.n_rho(); ++j)
+    for (int i = 0; i < n_theta; ++i) {
+      const Displacement<double>& d = response[static_cast<std::size_t>(node)];
+      EXPECT_NEAR(displacement.y.row(0, j)[i] / amplitude, d.y.row(0, j)[i], of_second_order);
+      EXPECT_NEAR(displacement.z.row(0, j)[i] / amplitude, d.z.row(0, j)[i], of_second_order);
+    }
+}
+
+// Frequencies of the flag by itself under the friction of Blasius' boundary layer.
+std::vector<double> frequencies(int n_theta, double k_x, const dns::FlagMaterial& material,
+                                double T_0) {
+  dns::OGridSettings settings = small_grid;
+  settings.n_theta = n_theta;
+  const std::vector<double> chord = dns::coupled_chord(dns::OGrid(settings));
+  SegmentForces<double> forces;
+  forces.x.assign(chord.size() - 1, 0);
+  for (std::size_t s = 0; s + 1 < chord.size(); ++s)
+    forces.y.push_back(T_0 * (std::sqrt(chord[s + 1]) - std::sqrt(chord[s])));
+  const FlagOperator flag =
+      flag_operator(chord, dns::Edge::pinned, material, forces, k_x, 10 * n_theta);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      flag.stiffness.real(), flag.mass.asDiagonal().toDenseMatrix());
+  std::vector<double> omega;
+  for (int k = 0; k < 3; ++k) omega.push_back(std::sqrt(solver.eigenvalues()[k]));
+  return omega;
+}
+
+void expect_modes_in_vacuo(double gamma, int n) {
+  const FlagParameters parameters{.mu = 0.2, .K_B = 1e-3, .K_S = 1e5, .nu_s = 0.3, .gamma = gamma};
+  const FlowParameters flow{.Re = 400};
+  const dns::FlagMaterial material{.mu = 0.2, .K_B = 1e-3, .K_S = 1e5, .nu_s = 0.3};
+  const NormalModes exact =
+      in_vacuo_modes({{n}, 3}, parameters, flow, TensionProfile::blasius, 200);
+  const double k_x = spanwise_wavenumber(n, parameters), T_0 = 1.3 / std::sqrt(flow.Re);
+  const std::vector<double> coarse = frequencies(30, k_x, material, T_0),
+                            fine = frequencies(60, k_x, material, T_0);
+  for (std::size_t m = 0; m < 3; ++m) {
+    const double omega = exact.modes[m].omega;
+    EXPECT_NEAR(fine[m], omega, 0.01 * omega) << m;
+    EXPECT_LT(std::abs(fine[m] - omega), 0.35 * std::abs(coarse[m] - omega)) << m;
+  }
+}
+
+TEST(GlobalFlag, WithoutTheFluidHasTheModesInVacuoAtSecondOrder) {
+  expect_modes_in_vacuo(1, 0);
+}
+
+TEST(GlobalFlag, WithoutTheFluidHasTheModesInVacuoOfWavesAlongTheSpan) {
+  expect_modes_in_vacuo(1, 1);  // k_x = 2 pi, where the conditions of the free edge matter
+}
+
+TEST(GlobalSpectrum, InverseIterationFindsTheEigenvalueOfAPencilNextToTheTarget) {
+  // diag(1, 2 + 3i, -5) q = lambda diag(1, 2, 0) q: 1, 1 + 1.5 i and infinity.
+  Matrix A(3, 3), B(3, 3);
+  A.insert(0, 0) = 1;
+  A.insert(1, 1) = Complex(2, 3);
+  A.insert(2, 2) = -5;
+  B.insert(0, 0) = 1;
+  B.insert(1, 1) = 2;
+  EXPECT_LT(std::abs(eigenpair_near(A, B, {0.8, 0.1}).lambda - 1.0), 1e-12);
+  const Eigenpair pair = eigenpair_near(A, B, {1, 1.2});
+  EXPECT_LT(std::abs(pair.lambda - Complex(1, 1.5)), 1e-12);
+  EXPECT_LT(residual_of(A, B, pair), 1e-12);
+}
+
+TEST(GlobalSpectrum, MergesWhatTwoTargetsFoundTwiceAndKeepsTheBetter) {
+  Spectrum spectrum;
+  merge({{{1, 2}, {}, 1e-9}, {{3, 0}, {}, 1e-9}}, spectrum);
+  merge({{{1, 2 + 1e-9}, {}, 1e-12}, {{2, 0}, {}, 1e-9}}, spectrum);
+  ASSERT_EQ(spectrum.pairs.size(), 3u);
+  EXPECT_EQ(spectrum.pairs[0].lambda, Complex(3, 0));
+  EXPECT_EQ(spectrum.pairs[1].lambda, Complex(2, 0));
+  EXPECT_EQ(spectrum.pairs[2].residual, 1e-12);
+}
+
+}  // namespace
+}  // namespace pennon::modes::global
