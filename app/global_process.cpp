@@ -91,10 +91,10 @@ void raise(const ProcessEnd& end) {
   if (end.status == 2) throw InputError("modes.global", sentence);
   if (end.status == 3) throw SolverError(sentence);
   if (end.status >= 128)
-    throw std::runtime_error(fmt::format(
-        "pennon-global was ended by signal {}, perhaps for want of memory; a smaller "
-        "modes.global.n_rho or n_theta needs less. {}",
-        end.status - 128, sentence));
+    throw std::runtime_error(
+        fmt::format("pennon-global was ended by signal {}, perhaps for want of memory; a smaller "
+                    "modes.global.n_rho or n_theta needs less. {}",
+                    end.status - 128, sentence));
   if (end.status != 0) throw std::runtime_error("pennon-global: " + sentence);
 }
 
