@@ -1,5 +1,7 @@
 #include "modes/global/study.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -26,9 +28,12 @@ class StopWatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-OGrid grid_of(const Settings& settings) {
+OGrid grid_of(const Settings& settings) try {
   return OGrid({static_cast<int>(settings.n_rho), static_cast<int>(settings.n_theta), *settings.R,
                 *settings.wall_spacing, *settings.wake_clustering});
+} catch (const InputError& fault) {
+  const InputFault& first = fault.faults().front();
+  throw InputError("modes.global", fmt::format("no grid: {} {}", first.where, first.what));
 }
 
 SegmentForces<double> scaled(SegmentForces<double> forces, double factor) {

@@ -133,7 +133,7 @@ void for_each_solution(EPS solver, Mat like, int most, const Use& use) {
   }
 }
 
-constexpr double tolerance = 1e-10;        // of SLEPc
+constexpr double tolerance = 1e-12;        // of SLEPc
 constexpr double largest_residual = 1e-6;  // of what counts as converged
 constexpr int most_restarts = 300;
 
