@@ -31,8 +31,8 @@ void solve(const char* problem_file, const char* result_file) {
   const petsc::Session session;
   const global::SlepcSession slepc;
   const auto eigenpairs = [](const global::CoupledOperator& coupled, std::complex<double> target,
-                             int n_modes) {
-    return global::eigenpairs_near(coupled.A, coupled.B, target, n_modes);
+                             int n_modes, bool with_adjoints) {
+    return global::eigenpairs_near(coupled.A, coupled.B, target, n_modes, with_adjoints);
   };
   const global::Result result =
       global::run(problem.flag, problem.flow, problem.settings, eigenpairs);

@@ -70,7 +70,7 @@ ProcessEnd run_program(const std::filesystem::path& program, const std::filesyst
 std::filesystem::path program_beside_this() {
   const std::filesystem::path folder =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::filesystem::path program = folder / "pennon-global";
+  std::filesystem::path program = folder / "pennon-global";
   if (access(program.c_str(), X_OK) != 0)
     throw FileError(fmt::format(
         "pennon-global, the program that finds global modes, is not beside pennon in {}",
@@ -85,16 +85,23 @@ std::string sentence_of(std::string errors) {
   return errors.starts_with(name) ? errors.substr(name.size()) : errors;
 }
 
+// As it was before it was printed.
+InputError input_error(const std::string& sentence) {
+  const std::size_t colon = sentence.find(": ");
+  if (colon == std::string::npos) return {"modes.global", sentence};
+  return {sentence.substr(0, colon), sentence.substr(colon + 2)};
+}
+
 void raise(const ProcessEnd& end) {
   const std::string sentence = sentence_of(end.errors);
   stop_if_interrupted("no global modes were written");
-  if (end.status == 2) throw InputError("modes.global", sentence);
+  if (end.status == 2) throw input_error(sentence);
   if (end.status == 3) throw SolverError(sentence);
   if (end.status >= 128)
-    throw std::runtime_error(fmt::format(
-        "pennon-global was ended by signal {}, perhaps for want of memory; a smaller "
-        "modes.global.n_rho or n_theta needs less. {}",
-        end.status - 128, sentence));
+    throw std::runtime_error(
+        fmt::format("pennon-global was ended by signal {}, perhaps for want of memory; a smaller "
+                    "modes.global.n_rho or n_theta needs less. {}",
+                    end.status - 128, sentence));
   if (end.status != 0) throw std::runtime_error("pennon-global: " + sentence);
 }
 

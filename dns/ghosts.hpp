@@ -72,8 +72,7 @@ void find_outer_pressure(int plane, const FaceMetrics<Scalar>& rho_faces, const 
   for (int i = 0; i < v.extent().n_theta; ++i) {
     const Scalar flux = A_y[i] * outside(v, i) + A_z[i] * outside(w, i);
     const Scalar inward = std::real(flux) < 0 ? flux : Scalar(0);
-    outer_pressure[i] =
-        -inward * (flux - A_y[i] * stream) / (A_y[i] * A_y[i] + A_z[i] * A_z[i]);
+    outer_pressure[i] = -inward * (flux - A_y[i] * stream) / (A_y[i] * A_y[i] + A_z[i] * A_z[i]);
   }
 }
 
@@ -84,8 +83,7 @@ void extend_pressure(int plane, const Scalar* outer_pressure, double share, Fiel
   extrapolate_to_wall(plane, p);
   const Scalar* last = p.row(plane, n_rho - 1);
   Scalar* ghost = p.row(plane, n_rho);
-  for (int i = 0; i < p.extent().n_theta; ++i)
-    ghost[i] = 2 * share * outer_pressure[i] - last[i];
+  for (int i = 0; i < p.extent().n_theta; ++i) ghost[i] = 2 * share * outer_pressure[i] - last[i];
   p.wrap_theta(plane, -1, n_rho + 1);
 }
 

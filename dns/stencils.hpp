@@ -177,7 +177,8 @@ void gradient_component(int plane, const Field<Scalar>& grad_s, const Field<Scal
   }
 }
 
-/// What carries the velocity, v - v_g, in cells along s and t per time, at row j. u_x null: no span.
+/// What carries the velocity, v - v_g, in cells along s and t per time, at row j. u_x null: no
+/// span.
 template <class Scalar>
 void convecting_velocity(const Metrics<Scalar>& metrics, int plane, int j, const Field<Scalar>* u_x,
                          const Field<Scalar>& u_y, const Field<Scalar>& u_z,

@@ -14,11 +14,11 @@ namespace pennon::modes::global {
 namespace {
 
 constexpr double first_Re = 10;
-constexpr double widest_step = 10;   // ratio of the Reynolds numbers of two solutions
+constexpr double widest_step = 10;  // ratio of the Reynolds numbers of two solutions
 constexpr double least_step = 1.05;
 constexpr int most_iterations = 15;
-// Of a velocity or the pressure by an iteration, the last one: as its errors are squared from one to
-// the next, rounding is what it leaves.
+// Of a velocity or the pressure by an iteration, the last one: as its errors are squared from one
+// to the next, rounding is what it leaves.
 constexpr double last_change = 1e-7;
 
 double largest_over_volume(const PlaneFlow<double>& R, const Field<double>& volume) {
@@ -61,7 +61,8 @@ class Newton {
  private:
   std::vector<bool> find_inflow() const {
     std::vector<bool> is_inflow(equations_.extent().wall_faces());
-    for (std::size_t i = 0; i < is_inflow.size(); ++i) is_inflow[i] = equations_.outer_flux()[i] < 0;
+    for (std::size_t i = 0; i < is_inflow.size(); ++i)
+      is_inflow[i] = equations_.outer_flux()[i] < 0;
     return is_inflow;
   }
 

@@ -12,12 +12,12 @@ namespace pennon::modes::global {
 struct BaseFlow {
   PlaneParameters parameters;
   PlaneFlow<double> q;
-  std::vector<bool> is_inflow;      ///< of the outer faces
-  SegmentForces<double> forces;     ///< on the flag's segments, per unit span
-  std::vector<double> tension;      ///< at its nodes: what pulls downstream of them, rho_f V^2 L
-  double drag_coefficient = 0;      ///< both sides, on 1/2 rho_f V^2 L
-  double residual = 0;              ///< largest of a cell's equations over its volume
-  int iterations = 0;               ///< of Newton's method, at all Reynolds numbers
+  std::vector<bool> is_inflow;   ///< of the outer faces
+  SegmentForces<double> forces;  ///< on the flag's segments, per unit span
+  std::vector<double> tension;   ///< at its nodes: what pulls downstream of them, rho_f V^2 L
+  double drag_coefficient = 0;   ///< both sides, on 1/2 rho_f V^2 L
+  double residual = 0;           ///< largest of a cell's equations over its volume
+  int iterations = 0;            ///< of Newton's method, at all Reynolds numbers
 };
 
 /// `components` of the velocity: 3 where a disturbance varies along the span. Throws SolverError

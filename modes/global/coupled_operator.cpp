@@ -19,7 +19,9 @@ class Assembly {
         X_(R_),
         still_(base_.p.extent()),
         flag_(flag),
-        result_{{}, {}, HalfPlane(base_.p.extent(), base_.components(), Symmetry::antisymmetric),
+        result_{{},
+                {},
+                HalfPlane(base_.p.extent(), base_.components(), Symmetry::antisymmetric),
                 flag.mass.size()},
         k_x_(k_x) {
     equations_.set_inflow(base.is_inflow);

@@ -60,7 +60,8 @@ FlagOperator reduced(const dns::Flag<dim>& flag, const SegmentForces<double>& fo
   flag.add_tangent({x, x}, loads, 0, *tangent);
   const Eigen::SparseMatrix<double> matrix = tangent->matrix();
   const std::vector<int>& free = tangent->free_nodes();
-  const int nodes = mesh.chord_nodes(), first = nodes - static_cast<int>(free.size()) / mesh.stations();
+  const int nodes = mesh.chord_nodes(),
+            first = nodes - static_cast<int>(free.size()) / mesh.stations();
   FlagOperator result{Eigen::VectorXd(nodes - first),
                       Eigen::MatrixXcd::Zero(nodes - first, nodes - first)};
   for (int j = first; j < nodes; ++j)

@@ -24,8 +24,8 @@ struct FlagOperator {
   Eigen::MatrixXcd stiffness;  ///< Hermitian; real without a cross-flow
 };
 
-/// The flat flag at rest under the friction of the steady flow, dim x nodes. Throws SolverError where
-/// it does not carry it flat.
+/// The flat flag at rest under the friction of the steady flow, dim x nodes. Throws SolverError
+/// where it does not carry it flat.
 template <int dim>
 dns::NodeVectors<dim> equilibrium(const dns::Flag<dim>&, const SegmentForces<double>& forces);
 

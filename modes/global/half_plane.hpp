@@ -18,7 +18,11 @@ enum class Symmetry { symmetric, antisymmetric };
 class HalfPlane {
  public:
   /// `components` of the velocity.
-  HalfPlane(const Extent&, int components, Symmetry);
+  HalfPlane(const Extent& extent, int components, Symmetry symmetry)
+      : components_(components),
+        n_rho_(extent.n_rho),
+        n_theta_(extent.n_theta),
+        symmetry_(symmetry) {}
 
   int fields() const { return components_ + 1; }
   int rows() const { return n_rho_; }

@@ -24,7 +24,8 @@ void read(const PlaneFlow<Complex>& found, const HalfPlane& unknowns, int field,
           int column, double factor, Triplets& entries) {
   for_each_seed(unknowns, row, column, [&](int j, int i) {
     const Eigen::Index by = unknowns.index(field, j, i);
-    for (int at_j = std::max(0, j - reach); at_j <= std::min(unknowns.rows() - 1, j + reach); ++at_j)
+    for (int at_j = std::max(0, j - reach); at_j <= std::min(unknowns.rows() - 1, j + reach);
+         ++at_j)
       for (int at_i = std::max(0, i - reach); at_i <= std::min(unknowns.columns() - 1, i + reach);
            ++at_i)
         for (int f = 0; f < unknowns.fields(); ++f) {

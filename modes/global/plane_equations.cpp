@@ -150,11 +150,9 @@ void PlaneEquations<Scalar>::continuity(const PlaneFlow<Scalar>& q, Field<Scalar
     across_rho_.row(0, 0)[i] = 0;  // nothing passes through the flag
   }
   for (int j = 0; j <= n_rho; ++j) {
-    for (int i = 0; i < n_theta; ++i)
-      flux_rho_.row(0, j)[i] -= tau * across_rho_.row(0, j)[i];
+    for (int i = 0; i < n_theta; ++i) flux_rho_.row(0, j)[i] -= tau * across_rho_.row(0, j)[i];
     if (j == n_rho) break;
-    for (int i = 0; i <= n_theta; ++i)
-      flux_theta_.row(0, j)[i] -= tau * across_theta_.row(0, j)[i];
+    for (int i = 0; i <= n_theta; ++i) flux_theta_.row(0, j)[i] -= tau * across_theta_.row(0, j)[i];
   }
   std::ranges::fill(R.values(), Scalar(0));
   dns::add_balance(0, flux_rho_, flux_theta_, R);

@@ -41,7 +41,11 @@ void declare(Schema& schema, Settings& settings) {
       .key({"dt", &settings.dt,
             "time step of the simulation whose modes these are, in L/V: it enters the discrete "
             "continuity equation",
-            not_negative, false, "dns.dt"});
+            not_negative, false, "dns.dt"})
+      .key(
+          {"adjoint", &settings.adjoint,
+           "find the adjoint modes too, and what a little more of mu, K_B, nu_s or tension does to "
+           "each mode"});
 }
 
 void check(const Settings& settings, const FlagParameters& flag, bool has_flow, Faults& faults) {

@@ -18,6 +18,7 @@ struct Settings {
   std::optional<double> k_x;
   std::int64_t n_rho = 0, n_theta = 0, n_x = 0;  ///< 0: not given
   std::optional<double> R, wall_spacing, wake_clustering, dt;
+  bool adjoint = false;
 };
 
 void declare(Schema&, Settings&);

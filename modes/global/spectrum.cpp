@@ -23,10 +23,34 @@ double residual_of(const Matrix& A, const Matrix& B, const Eigenpair& pair) {
   return (Aq - pair.lambda * Bq).norm() / (Aq.norm() + std::abs(pair.lambda) * Bq.norm());
 }
 
+void normalise(const Matrix& B, Eigenpair& pair) {
+  pair.q /= std::sqrt(pair.q.dot(B * pair.q).real());
+  if (pair.p.size() > 0) pair.p /= std::conj(pair.p.dot(B * pair.q));
+}
+
+double biorthogonality_defect(const Matrix& B, const std::vector<Eigenpair>& pairs) {
+  double largest = 0;
+  for (const Eigenpair& i : pairs)
+    for (const Eigenpair& j : pairs)
+      if (&i != &j && i.p.size() > 0) largest = std::max(largest, std::abs(i.p.dot(B * j.q)));
+  return largest;
+}
+
+void set_adjoint(const Matrix& A, const Matrix& B, Eigen::VectorXcd p, Eigenpair& pair) {
+  const Eigen::VectorXcd Ap = A.adjoint() * p, Bp = B.adjoint() * p;
+  pair.adjoint_residual =
+      (Ap - std::conj(pair.lambda) * Bp).norm() / (Ap.norm() + std::abs(pair.lambda) * Bp.norm());
+  pair.p = std::move(p);
+}
+
+bool are_same(Complex a, Complex b) {
+  return std::abs(a - b) < same_eigenvalue * (1 + std::abs(b));
+}
+
 void merge(std::vector<Eigenpair> others, Spectrum& spectrum) {
   for (Eigenpair& pair : others) {
     const auto same = std::ranges::find_if(spectrum.pairs, [&](const Eigenpair& known) {
-      return std::abs(known.lambda - pair.lambda) < same_eigenvalue * (1 + std::abs(pair.lambda));
+      return are_same(known.lambda, pair.lambda);
     });
     if (same == spectrum.pairs.end())
       spectrum.pairs.push_back(std::move(pair));
@@ -48,7 +72,8 @@ Eigenpair eigenpair_near(const Matrix& A, const Matrix& B, Complex target) {
     for (int k = 0; k < iterations_of_shift; ++k) {
       const Eigen::VectorXcd right = B * pair.q, next = factors.solve(right);
       const Complex by = pair.q.dot(next) / pair.q.squaredNorm();
-      pair = {target + 1.0 / by, next / next.norm(), 1};
+      pair.lambda = target + 1.0 / by;
+      pair.q = next / next.norm();
       pair.residual = residual_of(A, B, pair);
       if (pair.residual < tolerance) return pair;
     }

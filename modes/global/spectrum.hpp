@@ -11,6 +11,9 @@ struct Eigenpair {
   std::complex<double> lambda;
   Eigen::VectorXcd q;
   double residual = 0;  ///< |A q - lambda B q| over |A q| + |lambda| |B q|
+  /// The adjoint, A^H p = conj(lambda) B^H p, and its residual; empty where it was not sought.
+  Eigen::VectorXcd p = {};
+  double adjoint_residual = 0;
 };
 
 struct Spectrum {
@@ -22,12 +25,28 @@ struct Spectrum {
 double residual_of(const Eigen::SparseMatrix<std::complex<double>>& A,
                    const Eigen::SparseMatrix<std::complex<double>>& B, const Eigenpair&);
 
+/// Scales q to q^H B q = 1 and, where there is one, p to p^H B q = 1.
+void normalise(const Eigen::SparseMatrix<std::complex<double>>& B, Eigenpair&);
+
+/// The largest |p_i^H B q_j|, i != j, of normalised pairs that have adjoints: 0 but for rounding
+/// and the residuals.
+double biorthogonality_defect(const Eigen::SparseMatrix<std::complex<double>>& B,
+                              const std::vector<Eigenpair>&);
+
+/// Gives the pair, whose eigenvalue is that of p, its adjoint.
+void set_adjoint(const Eigen::SparseMatrix<std::complex<double>>& A,
+                 const Eigen::SparseMatrix<std::complex<double>>& B, Eigen::VectorXcd p,
+                 Eigenpair&);
+
+/// Whether two eigenvalues are one.
+bool are_same(std::complex<double> a, std::complex<double> b);
+
 /// Adds the pairs that are not there yet: eigenvalues closer than their own accuracy are one, of
 /// which the better pair is kept. The most unstable first.
 void merge(std::vector<Eigenpair> others, Spectrum&);
 
-/// Inverse iteration (Wielandt 1944) from a target, which is moved toward the eigenvalue now and then,
-/// for one eigenpair, by UMFPACK. Throws SolverError where it does not settle.
+/// Inverse iteration (Wielandt 1944) from a target, which is moved toward the eigenvalue now and
+/// then, for one eigenpair, by UMFPACK. Throws SolverError where it does not settle.
 Eigenpair eigenpair_near(const Eigen::SparseMatrix<std::complex<double>>& A,
                          const Eigen::SparseMatrix<std::complex<double>>& B,
                          std::complex<double> target);

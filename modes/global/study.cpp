@@ -1,5 +1,7 @@
 #include "modes/global/study.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -26,9 +28,18 @@ class StopWatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-OGrid grid_of(const Settings& settings) {
+OGrid grid_of(const Settings& settings) try {
   return OGrid({static_cast<int>(settings.n_rho), static_cast<int>(settings.n_theta), *settings.R,
                 *settings.wall_spacing, *settings.wake_clustering});
+} catch (const InputError& fault) {
+  const InputFault& first = fault.faults().front();
+  throw InputError("modes.global", fmt::format("no grid: {} {}", first.where, first.what));
+}
+
+SegmentForces<double> scaled(SegmentForces<double> forces, double factor) {
+  for (std::vector<double>* force : {&forces.x, &forces.y, &forces.z})
+    for (double& value : *force) value *= factor;
+  return forces;
 }
 
 // The node that moves most has the displacement 1.
@@ -37,9 +48,22 @@ GlobalMode mode_of(const Eigenpair& pair, const CoupledOperator& coupled) {
   Eigen::Index largest = 0;
   zeta.cwiseAbs().maxCoeff(&largest);
   const Complex scale = zeta[largest] == 0.0 ? Complex(1) : zeta[largest];
-  GlobalMode mode{pair.lambda, pair.residual, {Complex(0)}};  // the leading edge is held
+  GlobalMode mode{pair.lambda,
+                  pair.residual,
+                  {Complex(0)},  // the leading edge is held
+                  pair.adjoint_residual};
   for (const Complex& value : zeta) mode.zeta.push_back(value / scale);
   return mode;
+}
+
+nlohmann::ordered_json to_json(const Sensitivity& sensitivity) {
+  const auto parts = [](const Complex& value) {
+    return nlohmann::ordered_json{value.real(), value.imag()};
+  };
+  return {{"mu", parts(sensitivity.mu)},
+          {"K_B", parts(sensitivity.K_B)},
+          {"nu_s", parts(sensitivity.nu_s)},
+          {"ln_tension", parts(sensitivity.tension)}};
 }
 
 Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
@@ -49,7 +73,8 @@ Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
   if (!settings.target.empty()) targets = {Complex(settings.target[0], settings.target[1])};
   Spectrum spectrum;
   spectrum.requested = n_modes;
-  for (const Complex& target : targets) merge(solve(coupled, target, n_modes).pairs, spectrum);
+  for (const Complex& target : targets)
+    merge(solve(coupled, target, n_modes, settings.adjoint).pairs, spectrum);
   if (spectrum.pairs.size() > static_cast<std::size_t>(n_modes))
     spectrum.pairs.resize(static_cast<std::size_t>(n_modes));
   return spectrum;
@@ -70,9 +95,11 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
   const dns::FlagMaterial material{flag.mu, flag.K_B, flag.K_S, flag.nu_s, flag.damping};
   const dns::Edge edge =
       flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned;
-  const FlagOperator structure = flag_operator(result.chord, edge, material, result.base.forces,
-                                               k_x, static_cast<int>(settings.n_x));
-  const CoupledOperator coupled = coupled_operator(grid, result.base, structure, k_x);
+  const FlagOf flag_of = [&](const dns::FlagMaterial& its, double share) {
+    return flag_operator(result.chord, edge, its, scaled(result.base.forces, share), k_x,
+                         static_cast<int>(settings.n_x));
+  };
+  const CoupledOperator coupled = coupled_operator(grid, result.base, flag_of(material, 1), k_x);
   result.unknowns = coupled.A.rows();
   result.operator_seconds = watch.seconds();
   watch = {};
@@ -83,18 +110,24 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
   if (spectrum.pairs.empty())
     throw SolverError(
         "no global mode converged; another modes.global.target or a finer grid may help");
-  for (const Eigenpair& pair : spectrum.pairs) result.modes.push_back(mode_of(pair, coupled));
+  for (const Eigenpair& pair : spectrum.pairs) {
+    GlobalMode& mode = result.modes.emplace_back(mode_of(pair, coupled));
+    if (settings.adjoint) mode.sensitivity = sensitivity(pair, coupled, material, flag_of);
+  }
+  if (settings.adjoint)
+    result.biorthogonality_defect = biorthogonality_defect(coupled.B, spectrum.pairs);
   return result;
 }
 
 nlohmann::ordered_json to_json(const Result& result) {
-  nlohmann::ordered_json json = {
-      {"base_flow",
-       {{"drag_coefficient", result.base.drag_coefficient},
-        {"tension_leading_edge", result.base.tension.front()},
-        {"residual", result.base.residual}}},
-      {"requested", result.requested},
-      {"converged", result.converged}};
+  nlohmann::ordered_json json = {{"base_flow",
+                                  {{"drag_coefficient", result.base.drag_coefficient},
+                                   {"tension_leading_edge", result.base.tension.front()},
+                                   {"residual", result.base.residual}}},
+                                 {"requested", result.requested},
+                                 {"converged", result.converged}};
+  if (result.biorthogonality_defect)
+    json["biorthogonality_defect"] = *result.biorthogonality_defect;
   json["modes"] = nlohmann::ordered_json::array();
   nlohmann::ordered_json shapes = nlohmann::ordered_json::array();
   for (const GlobalMode& mode : result.modes) {
@@ -102,6 +135,10 @@ nlohmann::ordered_json to_json(const Result& result) {
                              {"omega", mode.lambda.imag()},
                              {"frequency", mode.lambda.imag() / (2 * std::numbers::pi)},
                              {"residual", mode.residual}});
+    if (mode.sensitivity) {
+      json["modes"].back()["adjoint_residual"] = mode.adjoint_residual;
+      json["modes"].back()["sensitivity"] = to_json(*mode.sensitivity);
+    }
     nlohmann::ordered_json& shape = shapes.emplace_back(nlohmann::ordered_json::array());
     for (const Complex& value : mode.zeta) shape.push_back({value.real(), value.imag()});
   }

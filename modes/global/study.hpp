@@ -1,24 +1,28 @@
-/// The global modes that a case asks for: steady flow, operator, spectrum. The eigensolver is handed
-/// in, so that this stays free of it.
+/// The global modes that a case asks for: steady flow, operator, spectrum. The eigensolver is
+/// handed in, so that this stays free of it.
 #pragma once
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "modes/global/coupled_operator.hpp"
+#include "modes/global/sensitivity.hpp"
 #include "modes/global/settings.hpp"
 #include "modes/global/spectrum.hpp"
 
 namespace pennon::modes::global {
 
-/// A few eigenpairs of A q = lambda B q next to a target.
+/// A few eigenpairs of A q = lambda B q next to a target, normalised.
 using EigenSolver = std::function<Spectrum(const CoupledOperator&, std::complex<double> target,
-                                           int n_modes)>;
+                                           int n_modes, bool with_adjoints)>;
 
 struct GlobalMode {
   std::complex<double> lambda;             ///< growth rate and angular frequency, in V/L
   double residual;                         ///< |A q - lambda B q| over |A q| + |lambda| |B q|
   std::vector<std::complex<double>> zeta;  ///< at the nodes of the flag, 1 where it is largest
+  double adjoint_residual = 0;
+  std::optional<Sensitivity> sensitivity = {};  ///< where adjoints were asked for
 };
 
 struct Result {
@@ -26,6 +30,7 @@ struct Result {
   std::vector<double> chord = {};  ///< y of the flag's nodes
   Eigen::Index unknowns = 0;
   int requested = 0, converged = 0;
+  std::optional<double> biorthogonality_defect = {};
   std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
 };

@@ -12,6 +12,7 @@
 #include "modes/global/flag_operator.hpp"
 #include "modes/global/grid_response.hpp"
 #include "modes/global/jacobian.hpp"
+#include "modes/global/sensitivity.hpp"
 #include "modes/global/spectrum.hpp"
 #include "modes/in_vacuo.hpp"
 
@@ -25,8 +26,7 @@ const dns::OGridSettings small_grid = {.n_rho = 10, .n_theta = 24, .R = 3, .wall
 
 std::vector<bool> inflow_upstream(const dns::OGrid& grid) {
   std::vector<bool> is_inflow;
-  for (int i = 0; i < grid.n_theta(); ++i)
-    is_inflow.push_back(std::cos(grid.theta_centre(i)) < 0);
+  for (int i = 0; i < grid.n_theta(); ++i) is_inflow.push_back(std::cos(grid.theta_centre(i)) < 0);
   return is_inflow;
 }
 
@@ -122,6 +122,47 @@ TEST(GlobalFlag, WithoutTheFluidHasTheModesInVacuoAtSecondOrder) {
 
 TEST(GlobalFlag, WithoutTheFluidHasTheModesInVacuoOfWavesAlongTheSpan) {
   expect_modes_in_vacuo(1, 1);  // k_x = 2 pi, where the conditions of the free edge matter
+}
+
+TEST(GlobalSensitivity, IsTheDerivativeOfTheEigenvalue) {
+  const dns::OGrid grid(small_grid);
+  const std::vector<double> chord = dns::coupled_chord(grid);
+  constexpr double k_x = 2;
+  const BaseFlow base = base_flow(grid, {.Re = 100, .tau = 0.01}, 3);
+  const FlagOf flag_of = [&](const dns::FlagMaterial& material, double share) {
+    SegmentForces<double> forces = base.forces;
+    for (double& pull : forces.y) pull *= share;
+    return flag_operator(chord, dns::Edge::pinned, material, forces, k_x, 40);
+  };
+  const dns::FlagMaterial material{.mu = 0.4, .K_B = 2e-3};
+  const auto operator_of = [&](const dns::FlagMaterial& its, double share) {
+    return coupled_operator(grid, base, flag_of(its, share), k_x);
+  };
+  const CoupledOperator coupled = operator_of(material, 1);
+  Eigenpair pair = eigenpair_near(coupled.A, coupled.B, {0, 2.5});
+  const Matrix A_adjoint = coupled.A.adjoint(), B_adjoint = coupled.B.adjoint();
+  set_adjoint(coupled.A, coupled.B,
+              eigenpair_near(A_adjoint, B_adjoint, std::conj(pair.lambda) + 1e-5).q, pair);
+  EXPECT_LT(pair.adjoint_residual, 1e-11);
+  normalise(coupled.B, pair);
+  const auto difference = [&](const dns::FlagMaterial& more, const dns::FlagMaterial& less,
+                              double share, double step) {
+    const CoupledOperator high = operator_of(more, 1 + share), low = operator_of(less, 1 - share);
+    return (eigenpair_near(high.A, high.B, pair.lambda).lambda -
+            eigenpair_near(low.A, low.B, pair.lambda).lambda) /
+           (2 * step);
+  };
+  const Sensitivity found = sensitivity(pair, coupled, material, flag_of);
+  const auto expect_near = [](Complex derivative, Complex differenced) {
+    EXPECT_LT(std::abs(derivative - differenced), 1e-4 * std::abs(differenced));
+  };
+  expect_near(found.mu,
+              difference({.mu = 0.402, .K_B = 2e-3}, {.mu = 0.398, .K_B = 2e-3}, 0, 2e-3));
+  expect_near(found.K_B,
+              difference({.mu = 0.4, .K_B = 2.01e-3}, {.mu = 0.4, .K_B = 1.99e-3}, 0, 1e-5));
+  expect_near(found.nu_s, difference({.mu = 0.4, .K_B = 2e-3, .nu_s = 0.302},
+                                     {.mu = 0.4, .K_B = 2e-3, .nu_s = 0.298}, 0, 2e-3));
+  expect_near(found.tension, difference(material, material, 5e-3, 5e-3));
 }
 
 TEST(GlobalSpectrum, InverseIterationFindsTheEigenvalueOfAPencilNextToTheTarget) {

@@ -37,13 +37,14 @@ struct ModeOfCase {
 
   ModeOfCase(const test::CoupledCase& simulation, double k_x, double dt, Complex target)
       : grid(simulation.grid),
-        base(base_flow(grid, {.Re = simulation.fluid.Re, .U = simulation.fluid.U, .tau = 2 * dt / 3},
+        base(base_flow(grid,
+                       {.Re = simulation.fluid.Re, .U = simulation.fluid.U, .tau = 2 * dt / 3},
                        k_x != 0 ? 3 : 2)),
-        coupled(coupled_operator(
-            grid, base,
-            flag_operator(dns::coupled_chord(grid), simulation.leading_edge, simulation.flag,
-                          base.forces, k_x, simulation.planes),
-            k_x)),
+        coupled(
+            coupled_operator(grid, base,
+                             flag_operator(dns::coupled_chord(grid), simulation.leading_edge,
+                                           simulation.flag, base.forces, k_x, simulation.planes),
+                             k_x)),
         pair(eigenpair_near(coupled.A, coupled.B, target)) {
     const Eigen::Index last = coupled.flag_nodes - 1;
     pair.q /= pair.q[coupled.zeta(last)];
@@ -73,8 +74,8 @@ class Start {
       }
       place(plane, 0, mode_.base.q.p, q.p, fluid.p);
       place(plane, -dt_, mode_.base.q.p, q.p, fluid.p_last);
-      for (std::size_t n = 0; n < 3; ++n) place_grid(plane, -dt_ * static_cast<double>(n), response,
-                                                     fluid.grid[n]);
+      for (std::size_t n = 0; n < 3; ++n)
+        place_grid(plane, -dt_ * static_cast<double>(n), response, fluid.grid[n]);
       for (int i = 0; i < fluid_.extent().n_theta; ++i)
         fluid.is_inflow[fluid_.extent().wall_face(plane, i)] =
             mode_.base.is_inflow[static_cast<std::size_t>(i)];
@@ -173,8 +174,7 @@ Complex simulated(const test::CoupledCase& settings, const ModeOfCase& mode, dou
   dns::Coupling<dim> coupling(fluid, flag, Eigen::Matrix<double, dim, 1>::Zero(),
                               settings.coupling);
   const Start<dim> start(mode, fluid, flag, k_x, dt);
-  dns::CoupledState<dim> state =
-      start(coupling.start(equilibrium(flag, mode.base.forces), 0));
+  dns::CoupledState<dim> state = start(coupling.start(equilibrium(flag, mode.base.forces), 0));
   std::vector<double> z;
   const auto steps = std::lround(duration / dt);
   for (long n = 0; n < steps; ++n) {
