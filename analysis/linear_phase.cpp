@@ -24,7 +24,8 @@ constexpr std::array<std::size_t, 3> exponentials = {2, 4, 12};
 // cycle near 0.14 L, Stuart's and Landau's growth rate at these is 18, 5 and 0.5 % below the
 // linear.
 constexpr std::array<double, 3> linear_amplitudes = {0.06, 0.03, 0.01};
-// A flag that comes to rest is looked at until its swings have faded to these shares of the largest.
+// A flag that comes to rest is looked at until its swings have faded to these shares of the
+// largest.
 constexpr std::array<double, 3> faded = {1e-3, 1e-2, 1e-1};
 constexpr std::array<double, 5> first_shares = {0, 0.15, 0.3, 0.45, 0.6};
 constexpr std::array<double, 3> last_shares = {1, 0.8, 0.6};
