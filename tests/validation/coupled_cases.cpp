@@ -271,7 +271,7 @@ TEST_F(Coupled, AnObliqueWaveNeedsASoftSpan) {
     const test::Outcome outcome =
         simulate("table1/C2U025.toml", {fmt::format("flag.K_S={:.1f}", K_S), "dns.n_x=12"});
     ASSERT_EQ(outcome.status, test::done) << outcome.err;
-    const json found = analyze(), cycle = found.at("limit_cycle");
+    const json cycle = analyze().at("limit_cycle");
     // Over the last L/V.
     const double wave = largest_swing(15, 16, "zeta_1"), straight = largest_swing(15, 16, "zeta_0");
     rows.push_back({K_S, straight, wave, number(cycle.at("A_over_L")), number(cycle.at("f_s")),
