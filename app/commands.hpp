@@ -15,8 +15,8 @@ void run_lsa(const Options&);
 /// `pennon modes CASE`: normal modes, and global modes where the case has [modes.global].
 void run_modes(const Options&);
 
-/// `pennon dns CASE`: direct simulation; so far of a flag by itself. `restart`: a checkpoint, or
-/// empty.
+/// `pennon dns CASE`: direct simulation of flag and flow, or of the flag by itself. `restart`: a
+/// checkpoint, or empty.
 void run_dns(const Options&, const std::string& restart);
 
 struct AnalyzeOptions {

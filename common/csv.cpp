@@ -79,9 +79,10 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
 }
 
 std::vector<double> CsvTable::numbers(const std::string& name) const {
+  const std::size_t named = column(name);
   std::vector<double> found;
   for (std::size_t row = 0; row < rows(); ++row)
-    found.push_back(number(row, column(name)).value_or(std::numeric_limits<double>::quiet_NaN()));
+    found.push_back(number(row, named).value_or(std::numeric_limits<double>::quiet_NaN()));
   return found;
 }
 

@@ -4,13 +4,13 @@
 
 #include <array>
 #include <cmath>
-#include <exception>
 #include <filesystem>
 #include <numbers>
 
 #include "analysis/figure.hpp"
 #include "common/csv.hpp"
 #include "lsa/evaluate.hpp"
+#include "tests/support/tool.hpp"
 
 namespace pennon {
 namespace {
@@ -128,27 +128,17 @@ Figure energies_on_two_grids() {
   return figure;
 }
 
-int run(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "usage: coupled_pictures FOLDER\n");
-    return 2;
-  }
+void draw_all(char** argv) {
   const std::filesystem::path folder = argv[1];
   draw(growth_of_a_wave(), folder / "coupled-growth-over-k_x");
   draw(passes(), folder / "coupled-passes");
   draw(trailing_edge_over_Re(), folder / "coupled-figure25");
   draw(energies_on_two_grids(), folder / "coupled-figure26");
-  return 0;
 }
 
 }  // namespace
 }  // namespace pennon
 
 int main(int argc, char** argv) {
-  try {
-    return pennon::run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
+  return pennon::test::run_tool(argc, argv, 2, "coupled_pictures FOLDER", pennon::draw_all);
 }

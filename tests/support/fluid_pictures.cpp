@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <exception>
 #include <filesystem>
 
 #include "analysis/figure.hpp"
 #include "common/csv.hpp"
+#include "tests/support/tool.hpp"
 
 namespace pennon {
 namespace {
@@ -81,26 +81,16 @@ Figure lift(bool pitches) {
   return figure;
 }
 
-int run(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "usage: fluid_pictures FOLDER\n");
-    return 2;
-  }
+void draw_all(char** argv) {
   const std::filesystem::path folder = argv[1];
   draw(drag(), folder / "fluid-plate-drag");
   draw(lift(false), folder / "fluid-plunge-lift");
   draw(lift(true), folder / "fluid-pitch-lift");
-  return 0;
 }
 
 }  // namespace
 }  // namespace pennon
 
 int main(int argc, char** argv) {
-  try {
-    return pennon::run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
+  return pennon::test::run_tool(argc, argv, 2, "fluid_pictures FOLDER", pennon::draw_all);
 }

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <exception>
 #include <filesystem>
 
 #include "common/csv.hpp"
 #include "tests/support/text_file.hpp"
+#include "tests/support/tool.hpp"
 
 namespace pennon {
 namespace {
@@ -67,11 +67,7 @@ std::string thinned(const std::filesystem::path& run) {
   return text.text();
 }
 
-int keep(int argc, char** argv) {
-  if (argc != 3) {
-    fmt::print(stderr, "usage: keep_run RUN NAME\n");
-    return 2;
-  }
+void keep(char** argv) {
   const std::filesystem::path run = argv[1];
   const std::filesystem::path kept = PENNON_SOURCE_DIR "/data/reference/pennon/runs";
   const std::string name = argv[2];
@@ -83,17 +79,11 @@ int keep(int argc, char** argv) {
   };
   copy("analysis/summary.json", ".json");
   copy("case.resolved.toml", ".toml");
-  return 0;
 }
 
 }  // namespace
 }  // namespace pennon
 
 int main(int argc, char** argv) {
-  try {
-    return pennon::keep(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
+  return pennon::test::run_tool(argc, argv, 3, "keep_run RUN NAME", pennon::keep);
 }

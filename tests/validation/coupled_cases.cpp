@@ -21,25 +21,23 @@ using Settings = std::vector<std::string>;
 
 class Coupled : public test::Commands {
  protected:
-  // pennon dns of a case with --set for each of `settings`; what it says of the run.
-  test::Outcome simulate(const std::string& the_case, const Settings& settings) {
+  // A command on a case with --set for each of `settings`; what it says.
+  test::Outcome run(const std::string& command, const std::string& the_case,
+                    const Settings& settings) {
     std::vector<std::string> arguments = {
-        "dns",      (test::source / "data/cases" / the_case).string(),
+        command,    (test::source / "data/cases" / the_case).string(),
         "--json",   "--quiet",
         "--output", results()};
     for (const std::string& setting : settings)
       arguments.insert(arguments.end(), {"--set", setting});
     return pennon(arguments);
   }
+  test::Outcome simulate(const std::string& the_case, const Settings& settings) {
+    return run("dns", the_case, settings);
+  }
   // The local theory's verdict.
   bool is_unstable_locally(const std::string& the_case, const Settings& settings) {
-    std::vector<std::string> arguments = {
-        "lsa",      (test::source / "data/cases" / the_case).string(),
-        "--json",   "--quiet",
-        "--output", results()};
-    for (const std::string& setting : settings)
-      arguments.insert(arguments.end(), {"--set", setting});
-    const test::Outcome outcome = pennon(arguments);
+    const test::Outcome outcome = run("lsa", the_case, settings);
     EXPECT_EQ(outcome.status, test::done) << outcome.err;
     return json::parse(outcome.out).at("lsa").at("unstable").get<bool>();
   }
