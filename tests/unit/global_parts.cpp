@@ -25,8 +25,8 @@ using Matrix = Eigen::SparseMatrix<Complex>;
 const dns::OGridSettings small_grid = {.n_rho = 10, .n_theta = 24, .R = 3, .wall_spacing = 0.12};
 
 std::vector<bool> inflow_upstream(const dns::OGrid& grid) {
-  std::vector<bool> is_inflow;
-  for (int i = 0; i < grid.n_theta(); ++i) is_inflow.push_back(std::cos(grid.theta_centre(i)) < 0);
+  std::vector<bool> is_inflow(grid.n_theta());
+  for (int i = 0; i < grid.n_theta(); ++i) is_inflow[i] = std::cos(grid.theta_centre(i)) < 0;
   return is_inflow;
 }
 
@@ -95,8 +95,8 @@ std::vector<double> frequencies(int n_theta, double k_x, const dns::FlagMaterial
       flag_operator(chord, dns::Edge::pinned, material, forces, k_x, 10 * n_theta);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
       flag.stiffness.real(), flag.mass.asDiagonal().toDenseMatrix());
-  std::vector<double> omega;
-  for (int k = 0; k < 3; ++k) omega.push_back(std::sqrt(solver.eigenvalues()[k]));
+  std::vector<double> omega(3);
+  for (int k = 0; k < 3; ++k) omega[k] = std::sqrt(solver.eigenvalues()[k]);
   return omega;
 }
 
