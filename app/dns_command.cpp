@@ -65,7 +65,7 @@ std::string text_of(const dns::RunResult& result) {
   return text;
 }
 
-std::string text_of(const dns::FluidRunResult& result) {
+std::string text_of(const dns::FluidRunResult& result, double wall_spacing) {
   const auto last = [&](const char* name) {
     const auto& columns = dns::columns_of_fluid_history();
     const auto* found = std::ranges::find_if(columns, [&](const dns::HistoryColumn& column) {
@@ -83,6 +83,13 @@ std::string text_of(const dns::FluidRunResult& result) {
           static_cast<double>(result.cells),
       result.pressure_iterations_mean, result.pressure_iterations_max, result.least_area,
       last("C_D"), last("C_L"), last("energy_defect"));
+  constexpr double much_thicker = 3;
+  if (result.largest_wall_area > much_thicker)
+    text += fmt::format(
+        "  cells at the flag grew to {:.1f} times their thickness at rest, so the flow there is "
+        "resolved as with dns.wall_spacing = {:.3g}; a smaller dns.wall_spacing shows whether that "
+        "matters\n",
+        result.largest_wall_area, result.largest_wall_area * wall_spacing);
   if (result.is_coupled)
     text += fmt::format(
         "  z of the trailing edge {:.6g}; coupling passes {:.2f} on average, {} at most\n",
@@ -105,7 +112,7 @@ Answer run_fluid(const Case& the_case, const std::optional<std::filesystem::path
           fmt::format("{}: {}\n{}", the_case.name,
                       result.is_coupled ? "flag and flow together"
                                         : "the fluid about a flag that moves as prescribed",
-                      text_of(result))};
+                      text_of(result, the_case.dns.fluid.wall_spacing))};
 }
 
 Answer run_convergence(const Case& the_case, const OutputFolder& folder, Record& record,

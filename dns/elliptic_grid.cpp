@@ -341,6 +341,13 @@ double EllipticGrid::least_area(int plane, const Displacement<double>& displacem
   return least_of_all;
 }
 
+double EllipticGrid::largest_wall_area(int plane, const Displacement<double>& displacement) const {
+  const RowOfAreas areas(grid_, plane, 0, displacement);
+  double largest = 0;
+  for (int i = 0; i < grid_.n_theta(); ++i) largest = std::max(largest, areas[i]);
+  return largest;
+}
+
 void EllipticGrid::find_worst_cell(int plane, const Displacement<double>& displacement,
                                    EllipticGridSummary& summary) const {
   double least = std::numeric_limits<double>::infinity();

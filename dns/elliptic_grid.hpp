@@ -69,6 +69,9 @@ class EllipticGrid {
 
   /// The least ratio of a cell's area to its area at rest.
   double least_area(int plane, const Displacement<double>&) const;
+  /// The largest ratio of the area of a cell at the flag to its area at rest: how much thicker it
+  /// has become, since the flag hardly stretches.
+  double largest_wall_area(int plane, const Displacement<double>&) const;
 
  private:
   struct Differences {  // weights of the steps from the neighbour before and to the one behind

@@ -143,6 +143,8 @@ void Fluid::move_grid(FluidState& state, const WallShape& wall) {
                          tolerances_.grid, tolerances_.most_grid_passes);
     step_.summary.grid_passes = std::max(step_.summary.grid_passes, found.passes);
     step_.summary.least_area = std::min(step_.summary.least_area, found.least_area);
+    step_.summary.largest_wall_area =
+        std::max(step_.summary.largest_wall_area, elliptic_.largest_wall_area(plane, next));
     if (!(found.least_area > 0)) fold = {1, span_.x(plane), found.worst_y, found.worst_z};
   }
   const std::vector<double> folds = ranks::gather_all(fold);
@@ -487,6 +489,7 @@ FluidStepSummary Fluid::finish_step(FluidState& state) {
   FluidStepSummary& summary = step_.summary;
   summary.CFL = ranks::largest(summary.CFL);
   summary.least_area = ranks::least(summary.least_area);
+  summary.largest_wall_area = ranks::largest(summary.largest_wall_area);
   summary.grid_passes = static_cast<int>(ranks::largest(summary.grid_passes));
   state.t = step_.t;
   state.previous_dt = step_.dt;

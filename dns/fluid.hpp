@@ -68,10 +68,11 @@ struct FluidStepTimes {
 
 struct FluidStepSummary {
   int pressure_iterations = 0;
-  int velocity_iterations = 0;  ///< the more of (v, w) and u
-  int grid_passes = 0;          ///< the most of a plane
-  double least_area = 1;        ///< of a cell, over its area at rest
-  double CFL = 0;               ///< largest Courant number, sum over the directions
+  int velocity_iterations = 0;   ///< the more of (v, w) and u
+  int grid_passes = 0;           ///< the most of a plane
+  double least_area = 1;         ///< of a cell, over its area at rest
+  double largest_wall_area = 1;  ///< of a cell at the flag, over its area at rest
+  double CFL = 0;                ///< largest Courant number, sum over the directions
   FluidStepTimes seconds;
 };
 

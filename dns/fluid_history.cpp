@@ -69,6 +69,8 @@ const std::array<HistoryColumn, fluid_columns>& columns_of_fluid_history() {
       {"velocity_iterations", "of the step, the most of a component"},
       {"grid_passes", "of the step, the most of a plane"},
       {"least_area", "of a cell, over its area at rest"},
+      {"largest_wall_area",
+       "of a cell at the flag, over its area at rest: how much thicker it has become"},
       {"CFL", "largest Courant number of the step"},
   }};
   return columns;
@@ -126,6 +128,7 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
                   static_cast<double>(summary.velocity_iterations),
                   static_cast<double>(summary.grid_passes),
                   summary.least_area,
+                  summary.largest_wall_area,
                   summary.CFL};
   if (!history.rows.empty()) {
     const FluidRow& last = history.rows.back();

@@ -15,7 +15,7 @@
 
 namespace pennon::dns {
 
-inline constexpr std::size_t fluid_columns = 20, coupled_columns = 12;
+inline constexpr std::size_t fluid_columns = 21, coupled_columns = 12;
 const std::array<HistoryColumn, fluid_columns>& columns_of_fluid_history();
 using FluidRow = std::array<double, fluid_columns>;
 using CoupledRow = std::array<double, coupled_columns>;

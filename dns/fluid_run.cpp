@@ -142,6 +142,8 @@ class FluidRun {
     result_.pressure_iterations_max =
         std::max(result_.pressure_iterations_max, summary.fluid.pressure_iterations);
     result_.least_area = std::min(result_.least_area, summary.fluid.least_area);
+    result_.largest_wall_area =
+        std::max(result_.largest_wall_area, summary.fluid.largest_wall_area);
     choose_step(dt, summary.fluid.CFL);
     const OutputSettings& output = settings_.output;
     if (output.history_interval == 0 || passes_multiple(output.history_interval, before, state().t))
@@ -337,7 +339,8 @@ nlohmann::ordered_json to_json(const FluidRunResult& result) {
       {"checkpoint", result.checkpoint},
       {"pressure_iterations",
        {{"mean", result.pressure_iterations_mean}, {"max", result.pressure_iterations_max}}},
-      {"least_area", result.least_area}};
+      {"least_area", result.least_area},
+      {"largest_wall_area", result.largest_wall_area}};
   if (result.is_coupled)
     json["coupling_iterations"] = {{"mean", result.passes_mean}, {"max", result.passes_max}};
   for (std::size_t c = 0; c < coupled_columns && result.last_of_flag; ++c)

@@ -22,7 +22,8 @@ struct FluidRunResult {
   std::int64_t cells = 0;
   double pressure_iterations_mean = 0;
   int pressure_iterations_max = 0;
-  double least_area = 1;  ///< over the whole run
+  double least_area = 1;  ///< over the whole run, as the next
+  double largest_wall_area = 1;
   double wall_seconds = 0;
   double step_seconds = 0;  ///< of the steps alone
   FluidRow last{};

@@ -142,6 +142,20 @@ TEST_F(DnsFluid, AFoldedGridStopsTheRunWithItsTime) {
   EXPECT_TRUE(fs::exists(results() + "/history.csv"));
 }
 
+TEST_F(DnsFluid, SaysWhereTheGridHasBecomeCoarseAtTheFlag) {
+  const auto said = [&](double amplitude) {
+    const std::string file = case_file(fmt::format(
+        "[dns]\nn_rho = 16\nn_theta = 64\nwall_spacing = 0.05\nR = 4\ndt = 0.01\nt_end = 0.02\n"
+        "[dns.motion]\nkind = \"wave\"\namplitude = {}\nk_y = 12.566\n",
+        amplitude));
+    const Outcome outcome = pennon({"dns", file, "--output", results()});
+    EXPECT_EQ(outcome.status, done) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_THAT(said(0.2), HasSubstr("times their thickness at rest"));
+  EXPECT_THAT(said(0.01), Not(HasSubstr("times their thickness at rest")));
+}
+
 TEST_F(DnsFluid, FollowsANormalModeOfTheFlag) {
   const std::string file = case_file(
       "[modes.normal]\nfamily = \"in_vacuo\"\n[dns]\nn_rho = 16\nn_theta = 32\n"

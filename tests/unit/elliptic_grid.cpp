@@ -267,5 +267,36 @@ TEST(EllipticGrid, SaysNothingOfAWorstCellWhereNoneFolds) {
   EXPECT_EQ(summary.worst_z, 0);
 }
 
+// Against the areas of the quadrilaterals by their corners.
+TEST(EllipticGrid, SaysHowMuchThickerTheCellsAtTheFlagAre) {
+  const OGrid grid(usual);
+  const Wall wall =
+      wall_of(grid, [](double y) { return Complex(y, 0.2 * y * std::sin(2 * pi * y)); });
+  EllipticGrid elliptic(grid);
+  Displacement<double> displacement(extent_of(grid));
+  EXPECT_NEAR(elliptic.largest_wall_area(0, displacement), 1, 1e-12);
+  elliptic.follow(0, wall.y.data(), wall.z.data(), displacement, 1e-6, 200);
+  const auto area = [&](int i, bool is_moved) {
+    double sum = 0;
+    Complex before;
+    constexpr std::array<std::array<int, 2>, 5> corners = {
+        {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto [j, step] = corners[k];
+      Complex corner = OGrid::place(grid.rho(j), grid.theta(i + step));
+      if (is_moved)
+        corner += Complex(displacement.y.row(0, j)[i + step], displacement.z.row(0, j)[i + step]);
+      if (k > 0) sum += std::imag(std::conj(before) * corner) / 2;
+      before = corner;
+    }
+    return sum;
+  };
+  double largest = 0;
+  for (int i = 0; i < grid.n_theta(); ++i)
+    largest = std::max(largest, area(i, true) / area(i, false));
+  EXPECT_GT(largest, 1.5);
+  EXPECT_NEAR(elliptic.largest_wall_area(0, displacement), largest, 1e-7 * largest);
+}
+
 }  // namespace
 }  // namespace pennon::dns
