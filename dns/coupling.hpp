@@ -61,8 +61,10 @@ class Coupling {
   /// Has the next step factor its own tangent, so that what follows depends on the state alone.
   void forget_tangent() { newton_.forget_tangent(); }
 
- private:
+  /// The fluid's wall, of the planes of this rank, where the flag is at x.
   WallShape wall_of(const NodeVectors<dim>& x) const;
+
+ private:
   NodeVectors<dim> velocity_ahead(const CoupledState<dim>&, const BackwardDifference&) const;
   WallShape wall_ahead(const CoupledState<dim>&, const NodeVectors<dim>& velocity,
                        const BackwardDifference&) const;
