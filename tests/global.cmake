@@ -2,7 +2,8 @@ pennon_test(test_global_parts LABEL unit SOURCES unit/global_parts.cpp
             LINK pennon::global pennon::modes)
 pennon_test(test_global_modes LABEL verification
             SOURCES verification/global_base_flow.cpp verification/global_growth.cpp
-            LINK pennon::global pennon::dns)
+                    verification/global_propagator.cpp
+            LINK pennon::global pennon::modes pennon::dns)
 # In a program of its own: PETSc with complex numbers.
 pennon_test(test_global_eigensolver LABEL unit SOURCES unit/global_eigensolver.cpp
             LINK pennon::eigensolver)

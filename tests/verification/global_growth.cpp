@@ -16,16 +16,6 @@ using Complex = std::complex<double>;
 
 constexpr double amplitude = 1e-6;
 
-test::CoupledCase small_case() {
-  test::CoupledCase small;
-  small.grid = {.n_rho = 24, .n_theta = 48, .R = 4, .wall_spacing = 0.03};
-  small.fluid.Re = 300;
-  small.flag = {.mu = 0.3, .K_B = 1e-3, .K_S = 500, .damping = 0.02};
-  small.tolerances = {.pressure = 1e-13, .velocity = 1e-14, .grid = 1e-13};
-  small.coupling.tolerance = 1e-11;
-  return small;
-}
-
 // lambda of z = Re(a exp(lambda t)), from z every h: Prony's recursion z_{n+1} = 2 r cos z_n - r^2
 // z_{n-1}, in least squares.
 Complex exponent_of(const std::vector<double>& z, double h, std::size_t apart) {
@@ -83,14 +73,14 @@ void expect_second_order(const test::CoupledCase& settings, Complex target, doub
 }
 
 test::CoupledCase wide_case() {
-  test::CoupledCase wide = small_case();
+  test::CoupledCase wide = test::small_case();
   wide.planes = 8;
   wide.span = 2;
   return wide;
 }
 
 TEST(GlobalGrowth, OfTheSimulationInTwoDimensionsIsTheEigenvalueUpToTheSquareOfTheStep) {
-  expect_second_order<2>(small_case(), {0.44, 2.66}, 1e-3);
+  expect_second_order<2>(test::small_case(), {0.44, 2.66}, 1e-3);
 }
 
 TEST(GlobalGrowth, OfAWaveAlongTheSpanIsTheEigenvalueUpToTheSquareOfTheStep) {
