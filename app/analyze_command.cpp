@@ -3,6 +3,7 @@
 #include "analysis/figures_of_run.hpp"
 #include "analysis/run_study.hpp"
 #include "app/commands.hpp"
+#include "app/run_of_case.hpp"
 #include "common/atomic_file.hpp"
 
 namespace pennon::app {
@@ -13,14 +14,6 @@ analysis::Settings settings_of(const Case& the_case, const AnalyzeOptions& optio
   if (options.from) settings.from = options.from;
   if (options.to) settings.to = options.to;
   return settings;
-}
-
-analysis::RunContext context_of(const Case& the_case) {
-  const dns::InitialSettings& initial = the_case.dns.initial;
-  return {.U = the_case.flow.U,
-          .ramp = initial.ramp,
-          .release = initial.release,
-          .kick_end = initial.kick == 0 ? 0 : initial.release + initial.kick_duration};
 }
 
 void print(const analysis::RunAnalysis& found, const AnalyzeOptions& options,

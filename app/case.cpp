@@ -33,6 +33,7 @@ Case::Case() {
   declare(schema, global_modes);
   declare(schema, dns);
   declare(schema, analysis);
+  declare(schema, compare);
 }
 
 Case::Case(const std::filesystem::path& file, std::span<const std::string> overrides,
@@ -52,6 +53,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
   check(global_modes, flag, has_flow, faults);
   check(dns, flag, has_flow, faults);
   check(analysis, faults);
+  check(compare, flag, faults);
   faults.raise();
 }
 

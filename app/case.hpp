@@ -7,6 +7,7 @@
 #include <string>
 
 #include "analysis/settings.hpp"
+#include "app/compare_settings.hpp"
 #include "common/case_reader.hpp"
 #include "common/parameters.hpp"
 #include "common/schema.hpp"
@@ -26,6 +27,7 @@ struct Case {
   modes::global::Settings global_modes;
   dns::Settings dns;
   analysis::Settings analysis;
+  CompareSettings compare;
 
   std::string name;  ///< of the file, without its ending
   Schema schema;     ///< bound to the members above, so a case does not move

@@ -31,6 +31,11 @@ struct AnalyzeOptions {
 /// Throws InputError where RUN is none.
 void run_analyze(const AnalyzeOptions&);
 
+/// `pennon compare CASE`: local theory, global modes and simulation of the same flag side by side.
+/// `run`: the folder of a run of `pennon dns`; empty: results/<case name>, if there is one there.
+/// Throws InputError where that run is of another flag.
+void run_compare(Options, const std::string& run);
+
 /// `pennon plot FILE...`: pictures beside the files. Prints their names unless quiet.
 void run_plot(const std::vector<std::string>& files, bool quiet);
 

@@ -95,6 +95,15 @@ int run(int argc, char** argv) {
   analyze->footer("Example: pennon analyze results/C2D --from 2 --to 8");
   analyze->callback([&] { app::run_analyze(analyze_options); });
 
+  std::string compared_run;
+  CLI::App* compare = app.add_subcommand(
+      "compare", "local theory, global modes and simulation of the same flag, side by side");
+  add_case_options(*compare, options);
+  compare->add_option("--run", compared_run,
+                      "folder of the simulation [results/<case name>, if there is one]");
+  compare->footer("Example: pennon compare data/cases/table1/C2D.toml --run results/C2D");
+  compare->callback([&] { app::run_compare(options, compared_run); });
+
   CLI::App* plot = app.add_subcommand("plot", "pictures of output files, beside them");
   plot->add_option("FILE", files, "HDF5 files that pennon wrote")->required();
   plot->add_flag("--quiet", options.quiet, "do not print the pictures' names");

@@ -1,6 +1,6 @@
 pennon_test(test_app LABEL regression
-            SOURCES regression/app_analyze.cpp regression/app_commands.cpp regression/app_coupled.cpp
-                    regression/app_fluid.cpp regression/app_global.cpp
+            SOURCES regression/app_analyze.cpp regression/app_commands.cpp regression/app_compare.cpp
+                    regression/app_coupled.cpp                     regression/app_fluid.cpp regression/app_global.cpp
             LINK pennon::analysis Boost::headers GTest::gmock)
 target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
                            PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")

@@ -1,0 +1,29 @@
+/// A run of `pennon dns`, found again for a case.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "analysis/run_context.hpp"
+#include "app/case.hpp"
+
+namespace pennon::app {
+
+struct RunOfCase {
+  std::filesystem::path folder;
+  std::unique_ptr<Case> the_case;  ///< as it was run
+  double wall_seconds = 0;
+};
+
+/// What its analysis takes from a case.
+analysis::RunContext context_of(const Case&);
+
+/// The run in the folder that was asked for, or, if none was, in the usual one, where there need
+/// not be one. Throws InputError where the run that was asked for is none, and where it is of
+/// another flag or stream than the case.
+std::optional<RunOfCase> find_run(const Case&, const std::string& asked,
+                                  const std::filesystem::path& usual);
+
+}  // namespace pennon::app
