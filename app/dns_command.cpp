@@ -35,6 +35,7 @@ dns::ShapeFunction mode_of(const Case& the_case, std::int64_t n, std::int64_t m)
 // Where the flag starts, unless straight.
 std::optional<dns::ShapeFunction> displacement_of(const Case& the_case) {
   const dns::InitialSettings& initial = the_case.dns.initial;
+  if (!initial.global_modes.empty()) return std::nullopt;
   if (const double amplitude = initial.mode_amplitude; amplitude != 0)
     return [amplitude, mode = mode_of(the_case, initial.n, initial.m)](double x, double y) {
       return amplitude * mode(x, y);

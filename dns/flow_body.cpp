@@ -5,7 +5,9 @@
 
 #include "common/errors.hpp"
 #include "common/ranks.hpp"
+#include "dns/flow_mode_file.hpp"
 #include "dns/initial_shape.hpp"
+#include "dns/mode_start.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -16,7 +18,7 @@ class PrescribedBody : public FlowBody {
 
   FluidState& fluid() override { return state_; }
   const FluidState& fluid() const override { return state_; }
-  void start() override { state_ = fluid_.impulsive_start(motion_, 0); }
+  void start(double) override { state_ = fluid_.impulsive_start(motion_, 0); }
   CoupledStepSummary advance(double dt) override {
     CoupledStepSummary summary;
     summary.fluid = fluid_.advance(state_, motion_, dt);
@@ -34,7 +36,9 @@ class CoupledBody : public FlowBody {
  public:
   CoupledBody(Fluid& fluid, const Settings& settings, const FlagParameters& parameters,
               const std::optional<ShapeFunction>& zeta)
-      : initial_(settings.initial),
+      : fluid_(fluid),
+        parameters_(parameters),
+        initial_(settings.initial),
         flag_(mesh_of(settings, parameters, coupled_chord(fluid.grid())), material_of(parameters)),
         gravity_(Eigen::Map<const Eigen::Vector3d>(parameters.gravity.data()).template tail<dim>()),
         shape_(stretched_by_friction<dim>(flag_.mesh(),
@@ -44,8 +48,14 @@ class CoupledBody : public FlowBody {
 
   FluidState& fluid() override { return state_.fluid; }
   const FluidState& fluid() const override { return state_.fluid; }
-  void start() override {
-    state_ = coupling_.start(shape_, 0);
+  void start(double dt) override {
+    if (initial_.global_modes.empty()) {
+      state_ = coupling_.start(shape_, 0);
+    } else {
+      const FlowMode mode = read_flow_mode(
+          initial_.global_modes, static_cast<int>(initial_.global_mode), fluid_, parameters_);
+      state_ = start_in_mode(coupling_, fluid_, flag_, mode, initial_.mode_amplitude, dt);
+    }
     energy_at_start_ = energies().total();
   }
 
@@ -150,6 +160,8 @@ class CoupledBody : public FlowBody {
     coupling_.set_outer_force(std::move(force));
   }
 
+  const Fluid& fluid_;
+  FlagParameters parameters_;
   InitialSettings initial_;
   Flag<dim> flag_;
   Eigen::Matrix<double, dim, 1> gravity_;

@@ -20,8 +20,8 @@ class FlowBody {
 
   virtual FluidState& fluid() = 0;
   virtual const FluidState& fluid() const = 0;
-  /// The state at t = 0.
-  virtual void start() = 0;
+  /// The state at t = 0, from where the first step is dt.
+  virtual void start(double dt) = 0;
   virtual CoupledStepSummary advance(double dt) = 0;
 
   /// Adds to a row of the history that add_row() has begun. Leading rank or not.
@@ -38,8 +38,9 @@ class FlowBody {
 std::unique_ptr<FlowBody> prescribed_body(Fluid&, WallMotion);
 
 /// A flag that the flow moves: in two dimensions, or with the fluid's span. `zeta`: z of its
-/// initial displacement; without it straight, by dns.initial.angle. Throws InputError where the
-/// shape is steeper than the flag is long.
+/// initial displacement; without it straight, by dns.initial.angle, or as a global mode. Throws
+/// InputError where the shape is steeper than the flag is long; start() where the file of the mode
+/// does not serve.
 std::unique_ptr<FlowBody> coupled_body(Fluid&, const Settings&, const FlagParameters&,
                                        const std::optional<ShapeFunction>& zeta);
 

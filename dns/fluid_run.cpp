@@ -73,9 +73,9 @@ class FluidRun {
     if (restart) {
       read_checkpoint(*restart);
     } else {
-      body_->start();
-      const double share = settings_.motion.is_given ? 1 : share_of_first_step;
-      dt_ = settings_.fluid.first_dt.value_or(share * settings_.dt);
+      const bool is_smooth = settings_.motion.is_given || !settings_.initial.global_modes.empty();
+      dt_ = settings_.fluid.first_dt.value_or((is_smooth ? 1 : share_of_first_step) * settings_.dt);
+      body_->start(dt_);
       if (settings_.output.field_interval > 0) keep_fields();
       if (settings_.output.shape_interval > 0) body_->add_shape(history_);
     }

@@ -55,7 +55,7 @@ void declare(Schema& schema, Settings& settings) {
             Range{1e-3, 1e3}})
       .key({"first_dt", &settings.fluid.first_dt,
             "the fluid's first step, from which the steps grow by a fifth to dt", positive, false,
-            "dt; with a flag that the flow moves dt/20"})
+            "dt; with a flag that the flow moves dt/20, unless it starts as a global mode"})
       .key({"t_end", &settings.t_end, "end of the run, in L/V", positive})
       .key({"n_x", &settings.n_x,
             "spanwise nodes, and Fourier points of the fluid; not used in two dimensions",
@@ -154,9 +154,16 @@ void declare(Schema& schema, Settings& settings) {
             "amplitude of sin(pi x/gamma) sin(pi y), the first mode of a plate supported along all "
             "edges, in L"})
       .key({"mode_amplitude", &settings.initial.mode_amplitude,
-            "largest displacement of a normal mode of the family of [modes.normal], in L"})
+            "largest displacement of a normal mode of the family of [modes.normal], or of a global "
+            "mode, in L"})
       .key({"n", &settings.initial.n, "waves along the span of that mode", Range{0, 200}})
       .key({"m", &settings.initial.m, "rank along the chord of that mode", Range{1, 200}})
+      .key(
+          {"global_modes", &settings.initial.global_modes,
+           "global_modes.h5 of pennon modes: flag and flow start as mode_amplitude times a mode in "
+           "it, in its steady flow"})
+      .key({"global_mode", &settings.initial.global_mode, "rank of that mode in the file, from 1",
+            Range{1, 200}})
       .key({"ramp", &settings.initial.ramp,
             "time over which the stream rises from rest, in L/V; 0: it starts at once",
             not_negative})
@@ -260,6 +267,26 @@ void check_coupled(const Settings& settings, const About& about) {
     about("initial.kick", "lasts beyond dns.t_end");
 }
 
+template <class About>
+void check_global_start(const Settings& settings, const FlagParameters& flag, bool has_flow,
+                        const About& about) {
+  const InitialSettings& initial = settings.initial;
+  if (!has_flow || settings.motion.is_given)
+    about("initial.global_modes",
+          "starts flag and flow together: it needs [flow], and no "
+          "[dns.motion]");
+  if (initial.mode_amplitude == 0)
+    about("initial.mode_amplitude",
+          "is missing: the largest displacement of the global mode, in L; 1e-4 starts a linear "
+          "phase");
+  if (initial.ramp != 0 || initial.release != 0 || initial.kick != 0)
+    about("initial.global_modes",
+          "starts in the steady flow as if it had come from there; dns.initial.ramp, release and "
+          "kick contradict that");
+  if (flag.gravity != std::array<double, 3>{})
+    about("initial.global_modes", "holds modes of a flag without weight; flag.gravity is given");
+}
+
 }  // namespace
 
 void check(const Settings& settings, const FlagParameters& flag, bool has_flow, Faults& faults) {
@@ -324,6 +351,7 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
     if (settings.initial.n > 0 && !flag.gamma)
       about("initial.n", "varies along the span, but without flag.gamma there is none");
   }
+  if (!settings.initial.global_modes.empty()) check_global_start(settings, flag, has_flow, about);
   if (has_flow && !settings.motion.is_given) check_coupled(settings, about);
   if (settings.convergence.is_given) check(settings.convergence, settings, about);
   if (settings.flag.equilibrium && flag.K_B == 0)
