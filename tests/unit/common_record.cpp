@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "common/version.hpp"
@@ -28,6 +29,15 @@ TEST(Record, SaysWhatMadeAResult) {
   EXPECT_EQ(json.at("libraries").size(), library_versions().size());
   EXPECT_EQ(json.at("wall_s").size(), 3U);
   EXPECT_GE(json.at("wall_s").at("total"), json.at("wall_s").at("compute"));
+}
+
+// tail keeps what has no end of line.
+TEST(Record, CountsTheMemoryOfProgramsThatWereStarted) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(std::system("head -c 100000000 /dev/zero | tail -n 1 > /dev/null"), 0);
+  Record("pennon modes case.toml").write(folder / "record.json", 1);
+  const auto json = nlohmann::json::parse(read_text(folder / "record.json"));
+  EXPECT_GT(json.at("peak_memory_kB"), 90'000);
 }
 
 TEST(Record, IsWrittenWhateverTheCommandLineHolds) {
