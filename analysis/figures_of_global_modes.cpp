@@ -12,12 +12,14 @@ namespace pennon::analysis {
 namespace {
 
 constexpr std::size_t most_modes_drawn = 3;
-constexpr PlaneWindow flag_and_wake{-0.5, 4.5, -1.25, 1.25};
-constexpr PlaneWindow about_flag{-0.25, 2.25, -0.625, 0.625};
+constexpr PlaneWindow flag_and_wake{-0.25, 2.75, -0.9, 0.9};
+constexpr PlaneWindow about_flag{-0.15, 1.35, -0.45, 0.45};
 
 std::string title_of(const hdf5::Reader& file, std::size_t mode) {
-  return fmt::format("mode {}: λL/V = {:.4g} {:+.4g} i", mode,
-                     file.read("/growth").values[mode - 1], file.read("/omega").values[mode - 1]);
+  const double growth = file.read("/growth").values[mode - 1],
+               omega = file.read("/omega").values[mode - 1];
+  return fmt::format("mode {}: λL/V = {}{:.4g} {} {:.4g} i", mode, growth < 0 ? "−" : "",
+                     std::abs(growth), omega < 0 ? "−" : "+", std::abs(omega));
 }
 
 // The flag at four phases between the envelopes of its motion.
@@ -63,9 +65,11 @@ Figure section_of(const hdf5::Reader& file, std::size_t mode, const std::string&
   Field field = plane_section(points, values, window);
   field.label = label;
   field.is_diverging = is_diverging;
-  clip_to_most(field);
+  constexpr double share_of_vorticity = 0.97, share_of_wavemaker = 0.99;
+  clip_to_most(field, is_diverging ? share_of_vorticity : share_of_wavemaker);
   Figure figure = figure_of_section(std::move(field), points, values.shape.back(), window);
   figure.title = title_of(file, mode);
+  figure.is_to_scale = true;
   return figure;
 }
 
@@ -120,9 +124,9 @@ std::vector<NamedFigure> figures_of_global_modes(const hdf5::Reader& file) {
     figures.push_back({name + "vorticity", section_of(file, mode, "fixed_omega_x_real",
                                                       flag_and_wake, "Re {/:Italic ω_x'}", true)});
     if (!file.contains(fmt::format("/mode_{}/wavemaker", mode))) continue;
-    figures.push_back({name + "wavemaker",
-                       section_of(file, mode, "wavemaker", about_flag,
-                                  "wavemaker {/:Italic L}^2 |{/:Bold p}| |{/:Bold v}'|", false)});
+    figures.push_back(
+        {name + "wavemaker", section_of(file, mode, "wavemaker", about_flag,
+                                        "|{/:Bold p}| |{/:Bold v}'|, in 1/{/:Italic L}²", false)});
     figures.push_back({name + "flag_wavemaker", along_flag(file, mode)});
   }
   return figures;

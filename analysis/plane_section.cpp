@@ -89,8 +89,7 @@ Field plane_section(const hdf5::Array& points, const hdf5::Array& values,
   return field;
 }
 
-void clip_to_most(Field& field) {
-  constexpr double share = 0.98;
+void clip_to_most(Field& field, double share) {
   std::vector<double> sizes;
   for (const double value : field.values)
     if (std::isfinite(value)) sizes.push_back(std::abs(value));

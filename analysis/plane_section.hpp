@@ -18,9 +18,9 @@ struct PlaneWindow {
 /// plane of ... [n_rho][n_theta], around the whole flag.
 Field plane_section(const hdf5::Array& points, const hdf5::Array& values, const PlaneWindow&);
 
-/// Colours end where all but a fiftieth of the values are: at the wall they are far above what is
-/// in the wake.
-void clip_to_most(Field&);
+/// Colours end where this share of the values is: at the wall they are far above what is in the
+/// wake.
+void clip_to_most(Field&, double share = 0.98);
 
 /// The figure of a field: its window, and the flag as a line along the wall's upper side.
 Figure figure_of_section(Field field, const hdf5::Array& points, std::size_t n_theta,
