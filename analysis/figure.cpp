@@ -154,7 +154,7 @@ std::string color_bar(const Field& field) {
   const Span span = colors_of(field);
   return (field.is_diverging ? diverging_palette() : sequential_palette(0)) +
          fmt::format(
-             "set cbrange [{}:{}]\nset cblabel {}\n"
+             "set cbrange [{}:{}]\nset cblabel {} offset 1,0\n"
              "set cbtics out scale 0.5 format '%h'\nset style line 1 lc rgb '#000000' lw 0.6\nset "
              "colorbox border 1\n",
              span.low, span.high, quoted_text(field.label));
@@ -207,6 +207,7 @@ std::string plot_script(const Figure& figure) {
     text += fmt::format("set title {} noenhanced\n", quoted_text(figure.title));
   text += axis_text("x", figure.x, frame.x) + axis_text("y", figure.y, frame.y);
   text += key_command(figure, frame);
+  if (figure.is_to_scale) text += "set size ratio -1\n";
   PlotItems items;
   if (figure.field) {
     text += color_bar(*figure.field);

@@ -54,6 +54,7 @@ struct Figure {
   std::optional<Field> field;
   std::vector<Line> lines;
   std::vector<Marks> marks;
+  bool is_to_scale = false;  ///< one length for one unit along both axes
 };
 
 /// The text as enhanced text that shows it letter by letter.

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <string>
+
+#include "analysis/plane_section.hpp"
 
 namespace pennon::analysis {
 namespace {
@@ -24,56 +23,6 @@ std::vector<double> column(const hdf5::Reader& file, const hdf5::Array& history,
   for (std::size_t row = 0; row < history.shape[0]; ++row)
     values.push_back(history.values[row * history.shape[1] + index]);
   return values;
-}
-
-// What of the section is shown, and on how many nodes.
-constexpr double y_low = -0.5, y_high = 4.5, z_low = -1.25, z_high = 1.25;
-constexpr std::size_t columns = 800, rows = 400;
-
-std::vector<double> equally_spaced(double low, double high, std::size_t count) {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < count; ++k)
-    values.push_back(low + (high - low) * static_cast<double>(k) / static_cast<double>(count - 1));
-  return values;
-}
-
-struct Vertex {
-  double y, z, value;
-};
-
-// Paints the nodes of the raster inside a triangle, linearly between its corners.
-void paint(const std::array<Vertex, 3>& corners, Field& field) {
-  const auto [a, b, c] = corners;
-  const double area = (b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y);
-  if (area == 0) return;
-  const auto [left, right] = std::minmax({a.y, b.y, c.y});
-  const auto [low, high] = std::minmax({a.z, b.z, c.z});
-  const auto first = [](const std::vector<double>& nodes, double value) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(nodes, value) - nodes.begin());
-  };
-  for (std::size_t j = first(field.y, low); j < field.y.size() && field.y[j] <= high; ++j)
-    for (std::size_t i = first(field.x, left); i < field.x.size() && field.x[i] <= right; ++i) {
-      const double y = field.x[i] - a.y, z = field.y[j] - a.z;
-      const double s = (y * (c.z - a.z) - z * (c.y - a.y)) / area;
-      const double t = ((b.y - a.y) * z - (b.z - a.z) * y) / area;
-      if (s < 0 || t < 0 || s + t > 1) continue;
-      field.values[j * field.x.size() + i] =
-          a.value + s * (b.value - a.value) + t * (c.value - a.value);
-    }
-}
-
-// The shear at the wall is far above what is in the wake: colours end where all but these are.
-void clip_to_most(Field& field) {
-  constexpr double share = 0.98;
-  std::vector<double> sizes;
-  for (const double value : field.values)
-    if (std::isfinite(value)) sizes.push_back(std::abs(value));
-  if (sizes.empty()) return;
-  const auto nth = static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
-  std::ranges::nth_element(sizes, sizes.begin() + nth);
-  const double limit = sizes[static_cast<std::size_t>(nth)];
-  for (double& value : field.values)
-    if (std::isfinite(value)) value = std::clamp(value, -limit, limit);
 }
 
 }  // namespace
@@ -115,49 +64,13 @@ Figure figure_of_trailing_edge(const hdf5::Reader& file) {
 }
 
 Figure figure_of_fluid_fields(const hdf5::Reader& file) {
+  constexpr PlaneWindow flag_and_wake{-0.5, 4.5, -1.25, 1.25};
   const hdf5::Array points = file.read("/points"), omega = file.read("/omega_x");
-  const std::size_t n_rho = *(omega.shape.end() - 2), n_theta = omega.shape.back();
-  const std::size_t components = points.shape.back();  // y, z, and x before them where there is one
-  const auto y = [&](std::size_t corner) { return points.values[(corner + 1) * components - 2]; };
-  const auto z = [&](std::size_t corner) { return points.values[(corner + 1) * components - 1]; };
-  // The value at a corner is the mean of the cells about it.
-  const auto vertex = [&](std::size_t j, std::size_t i) {
-    double sum = 0, count = 0;
-    for (const std::size_t row : {j, j - 1}) {
-      if (row >= n_rho) continue;  // also before the first
-      for (const std::size_t cell : {i % n_theta, (i + n_theta - 1) % n_theta}) {
-        sum += omega.values[row * n_theta + cell];
-        count += 1;
-      }
-    }
-    const std::size_t corner = j * (n_theta + 1) + i;
-    return Vertex{y(corner), z(corner), sum / count};
-  };
-  Figure figure;
-  figure.x = {"{/:Italic y}/{/:Italic L}", false, y_low, y_high};
-  figure.y = {"{/:Italic z}/{/:Italic L}", false, z_low, z_high};
-  Field field{equally_spaced(y_low, y_high, columns),
-              equally_spaced(z_low, z_high, rows),
-              {},
-              "{/:Italic ω_x L}/{/:Italic V}",
-              true};
-  field.values.assign(columns * rows, std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t j = 0; j < n_rho; ++j)
-    for (std::size_t i = 0; i < n_theta; ++i) {
-      const Vertex a = vertex(j, i), b = vertex(j + 1, i), c = vertex(j + 1, i + 1),
-                   d = vertex(j, i + 1);
-      paint({a, b, c}, field);
-      paint({a, c, d}, field);
-    }
+  Field field = plane_section(points, omega, flag_and_wake);
+  field.label = "{/:Italic ω_x L}/{/:Italic V}";
+  field.is_diverging = true;
   clip_to_most(field);
-  figure.field = std::move(field);
-  Line flag;
-  for (std::size_t i = 0; i <= n_theta / 2; ++i) {
-    flag.x.push_back(y(i));
-    flag.y.push_back(z(i));
-  }
-  flag.width = 2.5;
-  figure.lines.push_back(std::move(flag));
+  Figure figure = figure_of_section(std::move(field), points, omega.shape.back(), flag_and_wake);
   figure.title = fmt::format("tV/L = {:.4g}", file.number("/", "t", 0));
   return figure;
 }

@@ -5,6 +5,7 @@
 #include "analysis/figure.hpp"
 #include "analysis/figures_of_flag.hpp"
 #include "analysis/figures_of_fluid.hpp"
+#include "analysis/figures_of_global_modes.hpp"
 #include "analysis/figures_of_lsa.hpp"
 #include "analysis/figures_of_modes.hpp"
 #include "common/errors.hpp"
@@ -19,6 +20,7 @@ Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
   if (kind == "lsa_map") return figure_of_map(file);
   if (kind == "lsa_verdicts") return figure_of_verdicts(file);
   if (kind == "normal_modes") return figure_of_normal_modes(file);
+  if (kind == "global_modes") return figure_of_spectrum(file);
   if (kind == "flag_history") return figure_of_flag_history(file);
   if (kind == "flag_convergence") return figure_of_flag_convergence(file);
   if (kind == "flag_shapes") return figure_of_flag_shapes(file);
@@ -42,6 +44,11 @@ std::vector<std::filesystem::path> plot(const std::filesystem::path& path) {
     for (const std::filesystem::path& picture :
          draw(figure_of_trailing_edge(file), stem.string() + "_trailing_edge"))
       pictures.push_back(picture);
+  if (file.text("/", "kind") == "global_modes")
+    for (const NamedFigure& named : figures_of_global_modes(file))
+      for (const std::filesystem::path& picture :
+           draw(named.figure, stem.string() + "_" + named.name))
+        pictures.push_back(picture);
   return pictures;
 }
 

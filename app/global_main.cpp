@@ -1,9 +1,11 @@
 /// pennon-global PROBLEM RESULT: the global modes of the problem that `pennon modes` wrote, into
-/// RESULT (JSON). A program of its own, because PETSc with complex numbers and PETSc with real ones
-/// cannot share a process. Exit codes as those of pennon.
+/// RESULT (JSON), and their fields beside it (fields_file.hpp). A program of its own, because PETSc
+/// with complex numbers and PETSc with real ones cannot share a process. Exit codes as those of
+/// pennon.
 #include <fmt/format.h>
 
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -12,6 +14,7 @@
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
 #include "common/petsc.hpp"
+#include "modes/global/fields_file.hpp"
 #include "modes/global/slepc/eigensolver.hpp"
 #include "modes/global/study.hpp"
 
@@ -36,6 +39,7 @@ void solve(const char* problem_file, const char* result_file) {
   };
   const global::Result result =
       global::run(problem.flag, problem.flow, problem.settings, eigenpairs);
+  write_fields(result, std::filesystem::path(result_file).parent_path());
   write_file(result_file, to_json(result).dump(1) + "\n");
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <complex>
 #include <numbers>
 
 #include "analysis/plot.hpp"
@@ -35,6 +36,13 @@ nlohmann::ordered_json to_json(const modes::Decomposition& decomposition) {
   return json;
 }
 
+std::vector<double> shape_row(std::size_t mode, double y, std::complex<double> zeta) {
+  const auto at = [&](double degrees) {
+    return (zeta * std::polar(1.0, degrees * std::numbers::pi / 180)).real();
+  };
+  return {static_cast<double>(mode), y, zeta.real(), zeta.imag(), at(45), at(90), at(135)};
+}
+
 // Shapes along the chord and eigenvalues of what pennon-global found.
 void write_global_tables(const nlohmann::ordered_json& found, const OutputFolder& folder) {
   CsvText spectrum("global modes exp(lambda t): growth and angular frequency in V/L",
@@ -42,12 +50,13 @@ void write_global_tables(const nlohmann::ordered_json& found, const OutputFolder
   for (const auto& mode : found["global"]["modes"])
     spectrum.row({mode["growth"], mode["omega"], mode["frequency"], mode["residual"]});
   write_file(folder / "global_modes.csv", spectrum.text());
-  CsvText shapes("displacement of the flag in its global modes, 1 where it is largest; y in L",
-                 {"mode", "y", "zeta_real", "zeta_imag"});
+  CsvText shapes(
+      "displacement of the flag in its global modes, 1 where it is largest, and at phases in "
+      "degrees (at 0 it is zeta_real); y in L",
+      {"mode", "y", "zeta_real", "zeta_imag", "at_45", "at_90", "at_135"});
   for (std::size_t m = 0; m < found["zeta"].size(); ++m)
     for (std::size_t j = 0; j < found["y"].size(); ++j)
-      shapes.row({static_cast<double>(m + 1), found["y"][j], found["zeta"][m][j][0],
-                  found["zeta"][m][j][1]});
+      shapes.row(shape_row(m + 1, found["y"][j], {found["zeta"][m][j][0], found["zeta"][m][j][1]}));
   write_file(folder / "global_shapes.csv", shapes.text());
 }
 
@@ -70,6 +79,7 @@ nlohmann::ordered_json global_modes(const Case& the_case, const OutputFolder& fo
   const modes::global::Problem problem(the_case.flag, the_case.flow, the_case.global_modes);
   nlohmann::ordered_json found = solve_global_modes(problem, folder);
   write_global_tables(found, folder);
+  analysis::plot(folder / "global_modes.h5");
   return found;
 }
 

@@ -36,6 +36,27 @@ double biorthogonality_defect(const Matrix& B, const std::vector<Eigenpair>& pai
   return largest;
 }
 
+void biorthogonalise(const Matrix& A, const Matrix& B, std::vector<Eigenpair>& pairs) {
+  if (std::ranges::any_of(pairs, [](const Eigenpair& pair) { return pair.p.size() == 0; })) return;
+  std::vector<Eigenpair*> order;
+  order.reserve(pairs.size());
+  for (Eigenpair& pair : pairs) order.push_back(&pair);
+  std::ranges::sort(order, {}, [](const Eigenpair* pair) { return pair->p.squaredNorm(); });
+  std::vector<Eigen::VectorXcd> Bq;
+  Bq.reserve(pairs.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    Eigenpair& pair = *order[k];
+    for (std::size_t l = 0; l < k; ++l) {
+      pair.q -= order[l]->p.dot(B * pair.q) * order[l]->q;
+      pair.p -= Bq[l].dot(pair.p) * order[l]->p;
+    }
+    normalise(B, pair);
+    Bq.emplace_back(B * pair.q);
+    pair.residual = residual_of(A, B, pair);
+    set_adjoint(A, B, pair.p, pair);
+  }
+}
+
 void set_adjoint(const Matrix& A, const Matrix& B, Eigen::VectorXcd p, Eigenpair& pair) {
   const Eigen::VectorXcd Ap = A.adjoint() * p, Bp = B.adjoint() * p;
   pair.adjoint_residual =

@@ -44,15 +44,13 @@ SegmentForces<double> scaled(SegmentForces<double> forces, double factor) {
 
 // The node that moves most has the displacement 1.
 GlobalMode mode_of(const Eigenpair& pair, const CoupledOperator& coupled) {
-  const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes);
-  Eigen::Index largest = 0;
-  zeta.cwiseAbs().maxCoeff(&largest);
-  const Complex scale = zeta[largest] == 0.0 ? Complex(1) : zeta[largest];
+  const Eigen::VectorXcd zeta =
+      pair.q.segment(coupled.zeta(0), coupled.flag_nodes) / scale_of(pair, coupled);
   GlobalMode mode{pair.lambda,
                   pair.residual,
                   {Complex(0)},  // the leading edge is held
                   pair.adjoint_residual};
-  for (const Complex& value : zeta) mode.zeta.push_back(value / scale);
+  mode.zeta.insert(mode.zeta.end(), zeta.begin(), zeta.end());
   return mode;
 }
 
@@ -77,6 +75,7 @@ Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
     merge(solve(coupled, target, n_modes, settings.adjoint).pairs, spectrum);
   if (spectrum.pairs.size() > static_cast<std::size_t>(n_modes))
     spectrum.pairs.resize(static_cast<std::size_t>(n_modes));
+  biorthogonalise(coupled.A, coupled.B, spectrum.pairs);
   return spectrum;
 }
 
@@ -88,7 +87,7 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
   const double k_x = *settings.k_x;
   const PlaneParameters parameters{.Re = flow.Re, .U = flow.U, .tau = 2 * *settings.dt / 3};
   StopWatch watch;
-  Result result{.base = base_flow(grid, parameters, k_x != 0 ? 3 : 2)};
+  Result result{.base = base_flow(grid, parameters, k_x != 0 ? 3 : 2), .k_x = k_x};
   result.chord = dns::coupled_chord(grid);
   result.base_seconds = watch.seconds();
   watch = {};
@@ -116,6 +115,7 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
   }
   if (settings.adjoint)
     result.biorthogonality_defect = biorthogonality_defect(coupled.B, spectrum.pairs);
+  result.fields = fields_of_modes(grid, result.base, coupled, spectrum.pairs);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "modes/global/coupled_operator.hpp"
+#include "modes/global/mode_fields.hpp"
 #include "modes/global/sensitivity.hpp"
 #include "modes/global/settings.hpp"
 #include "modes/global/spectrum.hpp"
@@ -27,11 +28,13 @@ struct GlobalMode {
 
 struct Result {
   BaseFlow base;
+  double k_x = 0;
   std::vector<double> chord = {};  ///< y of the flag's nodes
   Eigen::Index unknowns = 0;
   int requested = 0, converged = 0;
   std::optional<double> biorthogonality_defect = {};
   std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
+  FieldsOfModes fields = {};           ///< of the same
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
 };
 

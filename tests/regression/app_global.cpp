@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "common/csv.hpp"
+#include "common/hdf5.hpp"
 #include "tests/support/commands.hpp"
+#include "tests/support/xdmf_check.hpp"
 
 namespace pennon {
 namespace {
@@ -74,6 +76,77 @@ TEST_F(ModesGlobal, TakesTheWaveOfTheSpan) {
                                "--json", "--output", results("other")});
   ASSERT_EQ(same.status, done) << same.err;
   EXPECT_EQ(json::parse(wave.out).at("global"), json::parse(same.out).at("global"));
+}
+
+// The names at the cells of a mode, each in its real and its imaginary part.
+std::vector<std::string> attributes_of(const std::vector<std::string>& base,
+                                       const std::vector<std::string>& mode) {
+  std::vector<std::string> attributes;
+  for (const std::string& name : base) attributes.push_back("base_" + name + ": Scalar at Cell");
+  for (const std::string& name : mode)
+    for (const char* part : {"_real", "_imag"})
+      attributes.push_back(
+          name + part +
+          (name.starts_with("displacement") ? ": Scalar at Node" : ": Scalar at Cell"));
+  return attributes;
+}
+
+TEST_F(ModesGlobal, KeepsFieldsThatParaViewOpensOfFlowModesAndWavemaker) {
+  const std::string file =
+      case_file("n_modes = 2\ntarget = [-0.1, 2.8]\nadjoint = true\n", "gamma = 2\n");
+  const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  EXPECT_LT(json::parse(outcome.out).at("global").at("biorthogonality_defect"), 1e-8);
+  const test::XdmfSummary found = test::check_xdmf(results() + "/global_modes.xdmf");
+  EXPECT_THAT(found.faults, testing::IsEmpty());
+  EXPECT_EQ(found.times, (std::vector<double>{1, 2}));
+  std::vector<std::string> expected = attributes_of(
+      {"v", "w", "u", "p", "omega_x"},
+      {"v", "w", "u", "p", "omega_x", "fixed_v", "fixed_w", "fixed_u", "fixed_p", "fixed_omega_x",
+       "displacement_y", "displacement_z", "adjoint_v", "adjoint_w", "adjoint_u", "adjoint_p"});
+  expected.emplace_back("wavemaker: Scalar at Cell");
+  EXPECT_EQ(found.attributes, expected);
+
+  const hdf5::Reader fields(results() + "/global_modes.h5");
+  const auto defect = [&](const std::string& name, double sign) {
+    const hdf5::Array array = fields.read(name);
+    const std::size_t n_theta = array.shape[1];
+    double largest = 0, of = 0;
+    for (std::size_t k = 0; k < array.values.size(); ++k) {
+      const std::size_t row = k / n_theta, column = k % n_theta;
+      const double mirrored = array.values[row * n_theta + n_theta - 1 - column];
+      largest = std::max(largest, std::abs(array.values[k] - sign * mirrored));
+      of = std::max(of, std::abs(array.values[k]));
+    }
+    return largest / of;
+  };
+  constexpr double rounding = 1e-6;
+  for (const char* odd : {"/mode_1/v_real", "/mode_1/u_imag", "/mode_1/p_real", "/base/w",
+                          "/base/omega_x", "/mode_2/fixed_v_imag", "/mode_2/adjoint_p_real"})
+    EXPECT_LT(defect(odd, -1), rounding) << odd;
+  for (const char* even : {"/mode_1/w_real", "/mode_1/omega_x_imag", "/base/v", "/base/p",
+                           "/mode_2/fixed_omega_x_real", "/mode_2/wavemaker"})
+    EXPECT_LT(defect(even, 1), rounding) << even;
+
+  const CsvTable shapes(results() + "/global_shapes.csv"),
+      feedback(results() + "/global_flag_feedback.csv");
+  constexpr std::size_t nodes = 17;
+  EXPECT_EQ(feedback.rows(), 2 * nodes);
+  const hdf5::Array phases = fields.read("/mode_1/shapes");
+  ASSERT_EQ(phases.shape, (hdf5::Shape{4, nodes}));
+  const std::vector<double> wavemaker = fields.read("/mode_1/flag_wavemaker").values,
+                            at_135 = shapes.numbers("at_135"), at_45 = shapes.numbers("at_45"),
+                            at_0 = shapes.numbers("zeta_real"),
+                            of_imag = shapes.numbers("zeta_imag");
+  for (std::size_t j = 0; j < nodes; ++j) {
+    EXPECT_NEAR(phases.values[3 * nodes + j], at_135[j], 1e-12);
+    EXPECT_NEAR(at_45[j], (at_0[j] - of_imag[j]) / std::sqrt(2), 1e-12);
+    EXPECT_NEAR(feedback.numbers("wavemaker")[j], wavemaker[j], 1e-12 * (1 + wavemaker[j]));
+  }
+  for (const char* picture :
+       {"global_modes.png", "global_modes_mode_1_shape.png", "global_modes_mode_2_vorticity.png",
+        "global_modes_mode_1_wavemaker.png", "global_modes_mode_2_flag_wavemaker.png"})
+    EXPECT_TRUE(std::filesystem::exists(results() + "/" + picture)) << picture;
 }
 
 TEST_F(ModesGlobal, NamesWhatIsWrongWithTheInput) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "common/petsc.hpp"
+#include "dns/wall_faces.hpp"
+#include "modes/global/coupled_operator.hpp"
 #include "modes/global/slepc/eigensolver.hpp"
 
 namespace pennon::modes::global {
@@ -56,6 +58,43 @@ TEST(GlobalEigensolver, FindsAdjointsThatAreOrthogonalToTheOtherModes) {
   for (const Eigenpair& pair : spectrum.pairs) {
     EXPECT_LT(pair.adjoint_residual, 1e-10);
     EXPECT_LT(std::abs(pair.p.dot(mass(n) * pair.q) - 1.0), 1e-12);
+  }
+}
+
+TEST(GlobalEigensolver, AdjointsOfTheFlagAreOrthogonalToModesThatAnotherSolverFound) {
+  start();
+  const dns::OGrid grid({.n_rho = 16, .n_theta = 32, .R = 4, .wall_spacing = 0.05});
+  const BaseFlow base = base_flow(grid, {.Re = 300, .tau = 0.01}, 2);
+  const CoupledOperator coupled =
+      coupled_operator(grid, base,
+                       flag_operator(dns::coupled_chord(grid), dns::Edge::pinned,
+                                     {.mu = 0.3, .K_B = 1e-3}, base.forces, 0, 1),
+                       0);
+  // Next to the first mode, so that the others' adjoints hold more of its.
+  Spectrum spectrum =
+      eigenpairs_near(coupled.A, coupled.B,
+                      eigenpair_near(coupled.A, coupled.B, {0.44, 2.66}).lambda + 1e-5, 6, true);
+  ASSERT_EQ(spectrum.pairs.size(), 6u);
+  std::vector<Eigenpair> others;
+  for (const Eigenpair& pair : spectrum.pairs) {
+    others.push_back(eigenpair_near(coupled.A, coupled.B, pair.lambda + 1e-3));
+    others.back().q /= std::sqrt(others.back().q.dot(coupled.B * others.back().q).real());
+  }
+  const auto defect = [&] {
+    double largest = 0;
+    for (std::size_t i = 0; i < others.size(); ++i)
+      for (std::size_t j = 0; j < others.size(); ++j)
+        if (i != j)
+          largest = std::max(largest, std::abs(spectrum.pairs[i].p.dot(coupled.B * others[j].q)));
+    return largest;
+  };
+  const double before = defect();
+  biorthogonalise(coupled.A, coupled.B, spectrum.pairs);
+  EXPECT_LT(defect(), std::min(before / 4, 1e-8));
+  EXPECT_LT(biorthogonality_defect(coupled.B, spectrum.pairs), 1e-11);
+  for (const Eigenpair& pair : spectrum.pairs) {
+    EXPECT_LT(pair.adjoint_residual, 1e-9);
+    EXPECT_LT(std::abs(pair.p.dot(coupled.B * pair.q) - 1.0), 1e-12);
   }
 }
 
