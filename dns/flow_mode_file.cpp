@@ -117,6 +117,12 @@ class ModeReader {
             fmt::format("has {:.6g} waves (k_x = {:.6g}) in a span of flag.gamma = {:.6g}; a whole "
                         "number fits",
                         waves, k_x(), span.length()));
+      const double nodes = file_.number("/", "n_x", NAN);
+      if (k_x() != 0 && !(std::abs(nodes * std::abs(waves) - span.planes()) < slack * nodes))
+        fail(
+            fmt::format("was made with {:.6g} spanwise nodes in a wave; here dns.n_x = {} gives it "
+                        "{:.6g}, which modes.global.n_x should be",
+                        nodes, span.planes(), span.planes() / std::abs(waves)));
     }
     if (fluid_.parameters().U != 0 && !has_u)
       fail("has no velocity along x, which flow.U needs; modes with a wave along the span have it");

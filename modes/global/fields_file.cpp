@@ -61,9 +61,14 @@ class FieldsFile {
         writer_(folder / file_name) {
     const PlaneParameters& flow = result.base.parameters;
     writer_.attributes({{"kind", "global_modes"},
+                        {"mu", result.flag.mu},
+                        {"K_B", result.flag.K_B},
+                        {"K_S", result.flag.K_S},
+                        {"nu_s", result.flag.nu_s},
                         {"Re", flow.Re},
                         {"U", flow.U},
                         {"k_x", result.k_x},
+                        {"n_x", static_cast<double>(result.n_x)},
                         {"tau", flow.tau}});
     write_grid();
     write_spectrum();
@@ -85,6 +90,11 @@ class FieldsFile {
     writer_.write("/points", points_, result_.fields.points,
                   about("y, z of the grid's corners at rest, in L"));
     writer_.write("/y", {result_.chord.size()}, result_.chord, about("the flag's nodes, in L"));
+    std::vector<double> nodes;
+    nodes.reserve(2 * result_.nodes.size());
+    for (const auto& [x, y] : result_.nodes) nodes.insert(nodes.end(), {x, y});
+    writer_.write("/flag", {result_.nodes.size(), 2}, nodes,
+                  about("x less that of the station and y of the flag's nodes in the steady flow"));
     writer_.write("/tension", {result_.base.tension.size()}, result_.base.tension,
                   about("of the flag in the steady flow, in rho_f V^2 L"));
   }
@@ -116,6 +126,10 @@ class FieldsFile {
     for (int f = 0; f < q.components(); ++f)
       write(velocity_names[f], q.field(f), "velocity of the steady flow, in V");
     write("p", q.p, "pressure of the steady flow, in rho_f V^2");
+    const std::vector<double> is_inflow(result_.base.is_inflow.begin(),
+                                        result_.base.is_inflow.end());
+    writer_.write("/base/is_inflow", {is_inflow.size()}, is_inflow,
+                  about("1 where fluid enters through a face of the outer boundary"));
     write("omega_x", result_.fields.base_vorticity, "vorticity of the steady flow along x, in V/L");
   }
 

@@ -1,6 +1,7 @@
 /// Global modes on disk: HDF5, with an XDMF beside it that ParaView opens.
 ///
 ///   /points, /y, /tension           corners of the grid at rest; nodes of the flag, tension there
+///   /flag                           where its nodes are in the steady flow
 ///   /growth, /omega, /residual      of the modes, in V/L
 ///   /base/v, w, p, omega_x          the steady flow at the cells
 ///   /mode_1/v_real, v_imag, ...     of the first mode, at points that move with the grid

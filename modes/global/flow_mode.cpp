@@ -1,14 +1,13 @@
 #include "modes/global/flow_mode.hpp"
 
+#include "modes/global/mode_fields.hpp"
+
 namespace pennon::modes::global {
 
 dns::FlowMode flow_mode(const BaseFlow& base, const FlagOperator& flag,
                         const CoupledOperator& coupled, const Eigenpair& pair, double k_x) {
   using Complex = std::complex<double>;
-  Eigen::Index largest = 0;
-  const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes);
-  zeta.cwiseAbs().maxCoeff(&largest);
-  const Complex scale = zeta[largest] == 0.0 ? Complex(1) : zeta[largest];
+  const Complex scale = scale_of(pair, coupled);
   const Extent& plane = base.q.p.extent();
   PlaneFlow<Complex> q(plane, base.q.components());
   const Eigen::VectorXcd flow = pair.q.head(coupled.flow.unknowns()) / scale;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "common/csv.hpp"
@@ -167,6 +168,69 @@ TEST_F(ModesGlobal, PassesOnWhatItsProgramSays) {
   EXPECT_EQ(outcome.status, bad_input);
   EXPECT_THAT(outcome.err,
               StartsWith("modes.global: no grid: dns.wall_spacing = 1e-06 does not reach"));
+}
+
+// The analysis of a run that starts as the first of the modes.
+class StartAsAGlobalMode : public ModesGlobal {
+ protected:
+  // The modes of the case, and the case of the run.
+  std::string run_file(const std::string& target, const std::string& flag) {
+    const std::string file = case_file("n_modes = 1\ntarget = " + target + "\nn_x = 4\n", flag);
+    const Outcome outcome = pennon({"modes", file, "--quiet", "--output", results("modes")});
+    EXPECT_EQ(outcome.status, done) << outcome.err;
+    return test::write_text(folder_ / "run.toml",
+                            test::read_text(file) + "[dns.initial]\nglobal_modes = \"" +
+                                results("modes") + "/global_modes.h5\"\nmode_amplitude = 1e-4\n")
+        .string();
+  }
+  void expect_growth(const std::string& target, const std::string& flag) {
+    const std::string file = run_file(target, flag);
+    const CsvTable modes(results("modes") + "/global_modes.csv");
+    const double sigma = modes.numbers("growth").front(), omega = modes.numbers("omega").front();
+    const Outcome run = pennon({"dns", file, "--quiet", "--set", "dns.t_end=5", "--set",
+                                "dns.n_x=4", "--output", results("run")});
+    ASSERT_EQ(run.status, done) << run.err;
+    const Outcome said = pennon({"analyze", results("run"), "--json"});
+    const json growth = json::parse(said.out).at("analyze").at("growth");
+    const double size = std::hypot(sigma, omega);
+    EXPECT_NEAR(growth.at("sigma"), sigma, 3e-3 * size);
+    EXPECT_NEAR(growth.at("omega"), omega, 3e-3 * size);
+  }
+  void expect_fault(const std::string& file, const std::string& setting,
+                    const std::string& sentence) {
+    const Outcome outcome =
+        pennon({"dns", file, "--quiet", "--set", setting, "--output", results("run")});
+    EXPECT_EQ(outcome.status, bad_input) << setting;
+    EXPECT_THAT(outcome.err, HasSubstr(sentence)) << setting;
+  }
+};
+
+TEST_F(StartAsAGlobalMode, GrowsAsItFromTheFirstStep) {
+  expect_growth("[0.44, 2.66]", "damping = 0.02\n");
+}
+
+TEST_F(StartAsAGlobalMode, DecaysAsAWaveAlongTheSpan) {
+  expect_growth("[-0.1, 2.8]", "damping = 0.02\ngamma = 2\n");
+}
+
+TEST_F(StartAsAGlobalMode, RefusesAnotherWave) {
+  const std::string file = run_file("[-0.1, 2.8]", "gamma = 2\n");
+  expect_fault(file, "dns.n_x=8",
+               "was made with 4 spanwise nodes in a wave; here dns.n_x = 8 gives it 8");
+  expect_fault(file, "flag.gamma=3.0", "has 1.5 waves (k_x = 3.14159) in a span of flag.gamma = 3");
+}
+
+TEST_F(StartAsAGlobalMode, RefusesAFileThatDoesNotServe) {
+  const std::string file = run_file("[0.44, 2.66]", "");
+  expect_fault(file, "dns.n_rho=20", "was made on 16 x 32 cells; here they are 20 x 32");
+  expect_fault(file, "dns.R=5.0", "was made on another grid");
+  expect_fault(file, "flag.mu=0.2", "was made with flag.mu = 0.3; here it is 0.2");
+  expect_fault(file, "flow.Re=200.0", "was made with flow.Re = 300; here it is 200");
+  expect_fault(file, "dns.initial.global_mode=3", "holds 1 modes; dns.initial.global_mode = 3");
+  expect_fault(file, "dns.initial.ramp=1.0", "contradict");
+  expect_fault(file, "dns.initial.mode_amplitude=0.0", "dns.initial.mode_amplitude is missing");
+  expect_fault(file, "dns.initial.global_modes=case.toml", "case.toml");
+  expect_fault(file, "dns.initial.global_modes=nowhere.h5", "where there is no file");
 }
 
 }  // namespace
