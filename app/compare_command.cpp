@@ -46,11 +46,13 @@ Row local_row(const Case& the_case, std::int64_t waves) {
   return row;
 }
 
-// The mode that grows most.
+// The mode that grows most, of a flag with as many spanwise nodes as the simulation's.
 Row global_row(const Case& the_case, std::int64_t waves, const OutputFolder& folder) {
   const auto begin = std::chrono::steady_clock::now();
   modes::global::Settings settings = the_case.global_modes;
   settings.k_x = k_x_of(waves, the_case.flag);
+  constexpr std::int64_t fewest_nodes = 3;
+  if (waves > 0) settings.n_x = std::max(fewest_nodes, the_case.dns.n_x / waves);
   const OutputFolder its_own(folder / fmt::format("global_{}", waves));
   const modes::global::Problem problem(the_case.flag, the_case.flow, settings);
   const Json found = solve_global_modes(problem, its_own);

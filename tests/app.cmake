@@ -6,7 +6,7 @@ target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pen
                            PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
 add_dependencies(test_app pennon)
 pennon_test(test_coupled_validation LABEL validation SOURCES validation/coupled_cases.cpp
-                    validation/global_convergence.cpp
+                    validation/compare_table1.cpp validation/global_convergence.cpp
             LINK pennon::common fmt::fmt Boost::headers GTest::gmock)
 target_compile_definitions(test_coupled_validation
                            PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
