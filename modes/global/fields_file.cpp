@@ -63,8 +63,12 @@ class FieldsFile {
     writer_.attributes({{"kind", "global_modes"},
                         {"Re", flow.Re},
                         {"U", flow.U},
+                        {"tau", flow.tau},
                         {"k_x", result.k_x},
-                        {"tau", flow.tau}});
+                        {"mu", result.material.mu},
+                        {"K_B", result.material.K_B},
+                        {"K_S", result.material.K_S},
+                        {"nu_s", result.material.nu_s}});
     write_grid();
     write_spectrum();
     write_base();
@@ -85,6 +89,11 @@ class FieldsFile {
     writer_.write("/points", points_, result_.fields.points,
                   about("y, z of the grid's corners at rest, in L"));
     writer_.write("/y", {result_.chord.size()}, result_.chord, about("the flag's nodes, in L"));
+    std::vector<double> nodes;
+    nodes.reserve(2 * result_.flag_nodes.size());
+    for (const auto& [x, y] : result_.flag_nodes) nodes.insert(nodes.end(), {x, y});
+    writer_.write("/flag", {result_.flag_nodes.size(), 2}, nodes,
+                  about("x less that of the station, y of the flag's nodes in the steady flow"));
     writer_.write("/tension", {result_.base.tension.size()}, result_.base.tension,
                   about("of the flag in the steady flow, in rho_f V^2 L"));
   }
@@ -116,6 +125,10 @@ class FieldsFile {
     for (int f = 0; f < q.components(); ++f)
       write(velocity_names[f], q.field(f), "velocity of the steady flow, in V");
     write("p", q.p, "pressure of the steady flow, in rho_f V^2");
+    const std::vector<double> is_inflow(result_.base.is_inflow.begin(),
+                                        result_.base.is_inflow.end());
+    writer_.write("/base/is_inflow", {is_inflow.size()}, is_inflow,
+                  about("1 where the steady flow enters through the outer faces"));
     write("omega_x", result_.fields.base_vorticity, "vorticity of the steady flow along x, in V/L");
   }
 

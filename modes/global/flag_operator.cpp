@@ -66,6 +66,9 @@ FlagOperator reduced(const dns::Flag<dim>& flag, const SegmentForces<double>& fo
                       Eigen::MatrixXcd::Zero(nodes - first, nodes - first)};
   for (int j = first; j < nodes; ++j)
     result.mass[j - first] = flag.mass()[mesh.index(0, j)] / share;
+  result.nodes.reserve(static_cast<std::size_t>(nodes));
+  for (int j = 0; j < nodes; ++j)
+    result.nodes.push_back({dim == 2 ? 0.0 : x(0, mesh.index(0, j)), x(dim - 2, mesh.index(0, j))});
   // The rows of the first station; a node m stations away moves with exp(i k_x m dx).
   for (int q = 0; q < matrix.outerSize(); ++q)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, q); entry; ++entry) {

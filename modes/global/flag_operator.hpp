@@ -11,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "dns/flag.hpp"
@@ -18,10 +19,12 @@
 
 namespace pennon::modes::global {
 
-/// Of the nodes that are not held, from the leading edge; per unit span.
+/// Mass and stiffness of the nodes that are not held, from the leading edge; per unit span.
 struct FlagOperator {
   Eigen::VectorXd mass;
   Eigen::MatrixXcd stiffness;  ///< Hermitian; real without a cross-flow
+  /// Where all nodes are in the equilibrium: x less that of the station, 0 without a span, and y.
+  std::vector<std::array<double, 2>> nodes = {};
 };
 
 /// The flat flag at rest under the friction of the steady flow, dim x nodes. Throws SolverError

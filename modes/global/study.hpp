@@ -2,6 +2,7 @@
 /// handed in, so that this stays free of it.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -28,8 +29,10 @@ struct GlobalMode {
 
 struct Result {
   BaseFlow base;
+  dns::FlagMaterial material = {};
   double k_x = 0;
-  std::vector<double> chord = {};  ///< y of the flag's nodes
+  std::vector<double> chord = {};                      ///< y of the flag's nodes
+  std::vector<std::array<double, 2>> flag_nodes = {};  ///< as FlagOperator has them
   Eigen::Index unknowns = 0;
   int requested = 0, converged = 0;
   std::optional<double> biorthogonality_defect = {};
@@ -38,9 +41,9 @@ struct Result {
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
 };
 
-/// Precondition: the settings are resolved. Without a target the modes next to several points along
-/// the axis of the angular frequency are sought, and the n_modes that grow most are kept. Throws
-/// SolverError.
+/// Precondition: the settings are resolved. The n_modes next to each target, each mode once;
+/// without a target those next to several points along the axis of the angular frequency are
+/// sought, and the n_modes that grow most are kept. Throws SolverError.
 Result run(const FlagParameters&, const FlowParameters&, const Settings&, const EigenSolver&);
 
 /// What pennon-global hands back: the value of "global" in summary.json, the shapes and the times.
