@@ -58,29 +58,33 @@ class FieldsFile {
         columns_(result.base.q.p.extent().n_theta),
         cells_{static_cast<hsize_t>(rows_), static_cast<hsize_t>(columns_)},
         corners_{cells_[0] + 1, cells_[1] + 1},
-        writer_(folder / file_name) {
-    const PlaneParameters& flow = result.base.parameters;
+        folder_(folder),
+        writer_(folder / file_name) {}
+
+  void write() {
+    const PlaneParameters& flow = result_.base.parameters;
     writer_.attributes({{"kind", "global_modes"},
+                        {"mu", result_.flag.mu},
+                        {"K_B", result_.flag.K_B},
+                        {"K_S", result_.flag.K_S},
+                        {"nu_s", result_.flag.nu_s},
                         {"Re", flow.Re},
                         {"U", flow.U},
-                        {"tau", flow.tau},
-                        {"k_x", result.k_x},
-                        {"mu", result.material.mu},
-                        {"K_B", result.material.K_B},
-                        {"K_S", result.material.K_S},
-                        {"nu_s", result.material.nu_s}});
+                        {"k_x", result_.k_x},
+                        {"n_x", static_cast<double>(result_.n_x)},
+                        {"tau", flow.tau}});
     write_grid();
     write_spectrum();
     write_base();
-    for (std::size_t mode = 0; mode < result.fields.modes.size(); ++mode) {
+    for (std::size_t mode = 0; mode < result_.fields.modes.size(); ++mode) {
       grids_.push_back(
           {static_cast<double>(mode + 1), corners_, {file_name, "/points", points_}, {}});
       for (const xdmf::Attribute& attribute : of_base_)
         grids_.back().attributes.push_back(attribute);
-      write_mode(group_of(mode), result.fields.modes[mode]);
+      write_mode(group_of(mode), result_.fields.modes[mode]);
     }
     writer_.finish();
-    xdmf::write(folder / "global_modes.xdmf", "global modes", grids_);
+    xdmf::write(folder_ / "global_modes.xdmf", "global modes", grids_);
   }
 
  private:
@@ -90,10 +94,10 @@ class FieldsFile {
                   about("y, z of the grid's corners at rest, in L"));
     writer_.write("/y", {result_.chord.size()}, result_.chord, about("the flag's nodes, in L"));
     std::vector<double> nodes;
-    nodes.reserve(2 * result_.flag_nodes.size());
-    for (const auto& [x, y] : result_.flag_nodes) nodes.insert(nodes.end(), {x, y});
-    writer_.write("/flag", {result_.flag_nodes.size(), 2}, nodes,
-                  about("x less that of the station, y of the flag's nodes in the steady flow"));
+    nodes.reserve(2 * result_.nodes.size());
+    for (const auto& [x, y] : result_.nodes) nodes.insert(nodes.end(), {x, y});
+    writer_.write("/flag", {result_.nodes.size(), 2}, nodes,
+                  about("x less that of the station and y of the flag's nodes in the steady flow"));
     writer_.write("/tension", {result_.base.tension.size()}, result_.base.tension,
                   about("of the flag in the steady flow, in rho_f V^2 L"));
   }
@@ -128,7 +132,7 @@ class FieldsFile {
     const std::vector<double> is_inflow(result_.base.is_inflow.begin(),
                                         result_.base.is_inflow.end());
     writer_.write("/base/is_inflow", {is_inflow.size()}, is_inflow,
-                  about("1 where the steady flow enters through the outer faces"));
+                  about("1 where fluid enters through a face of the outer boundary"));
     write("omega_x", result_.fields.base_vorticity, "vorticity of the steady flow along x, in V/L");
   }
 
@@ -199,6 +203,7 @@ class FieldsFile {
   const Result& result_;
   int rows_, columns_;
   hdf5::Shape cells_, corners_, points_;
+  std::filesystem::path folder_;
   hdf5::Writer writer_;
   std::vector<xdmf::Attribute> of_base_;
   std::vector<xdmf::Grid> grids_;
@@ -225,7 +230,7 @@ void write_flag_feedback(const Result& result, const std::filesystem::path& file
 }  // namespace
 
 void write_fields(const Result& result, const std::filesystem::path& folder) {
-  FieldsFile(result, folder);
+  FieldsFile(result, folder).write();
   const std::vector<ModeFields>& modes = result.fields.modes;
   if (std::ranges::all_of(modes, [](const ModeFields& mode) { return mode.adjoint.has_value(); }))
     write_flag_feedback(result, folder / "global_flag_feedback.csv");

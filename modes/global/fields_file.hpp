@@ -1,9 +1,9 @@
 /// Global modes on disk: HDF5, with an XDMF beside it that ParaView opens.
 ///
 ///   /points, /y, /tension           corners of the grid at rest; nodes of the flag, tension there
-///   /flag                           the nodes as the steady flow stretches the flag
+///   /flag                           where its nodes are in the steady flow
 ///   /growth, /omega, /residual      of the modes, in V/L
-///   /base/v, w, p, omega_x          the steady flow at the cells; is_inflow of the outer faces
+///   /base/v, w, p, omega_x          the steady flow at the cells
 ///   /mode_1/v_real, v_imag, ...     of the first mode, at points that move with the grid
 ///   /mode_1/fixed_v_real, ...       at fixed points
 ///   /mode_1/displacement_y_real ... of the grid's corners
@@ -11,10 +11,9 @@
 ///   /mode_1/shapes                  Re [zeta exp(i phase)] at the phases 0, 45, 90, 135 degrees
 ///   /mode_1/adjoint_v_real, ...     and wavemaker, flag_wavemaker, where there are adjoints
 ///
-/// u where there is a velocity along x. Cells and corners run [rho][theta] around the whole
+/// and u where there is a velocity along x. Cells and corners run [rho][theta] around the whole
 /// flag, from the trailing edge over the upper side. In the XDMF the modes follow each other in
-/// time, mode 1 at t = 1. The numbers of the case stand in attributes (Re, U, tau, k_x, mu, K_B,
-/// K_S, nu_s).
+/// time, mode 1 at t = 1.
 #pragma once
 
 #include <array>

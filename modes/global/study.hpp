@@ -28,11 +28,12 @@ struct GlobalMode {
 };
 
 struct Result {
+  FlagParameters flag;
   BaseFlow base;
-  dns::FlagMaterial material = {};
   double k_x = 0;
-  std::vector<double> chord = {};                      ///< y of the flag's nodes
-  std::vector<std::array<double, 2>> flag_nodes = {};  ///< as FlagOperator has them
+  int n_x = 0;                                    ///< spanwise nodes of the flag in a wave
+  std::vector<double> chord = {};                 ///< y of the flag's nodes
+  std::vector<std::array<double, 2>> nodes = {};  ///< in its equilibrium, as FlagOperator has them
   Eigen::Index unknowns = 0;
   int requested = 0, converged = 0;
   std::optional<double> biorthogonality_defect = {};
