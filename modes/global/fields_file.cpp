@@ -58,33 +58,30 @@ class FieldsFile {
         columns_(result.base.q.p.extent().n_theta),
         cells_{static_cast<hsize_t>(rows_), static_cast<hsize_t>(columns_)},
         corners_{cells_[0] + 1, cells_[1] + 1},
-        folder_(folder),
-        writer_(folder / file_name) {}
-
-  void write() {
-    const PlaneParameters& flow = result_.base.parameters;
+        writer_(folder / file_name) {
+    const PlaneParameters& flow = result.base.parameters;
     writer_.attributes({{"kind", "global_modes"},
-                        {"mu", result_.flag.mu},
-                        {"K_B", result_.flag.K_B},
-                        {"K_S", result_.flag.K_S},
-                        {"nu_s", result_.flag.nu_s},
+                        {"mu", result.flag.mu},
+                        {"K_B", result.flag.K_B},
+                        {"K_S", result.flag.K_S},
+                        {"nu_s", result.flag.nu_s},
                         {"Re", flow.Re},
                         {"U", flow.U},
-                        {"k_x", result_.k_x},
-                        {"n_x", static_cast<double>(result_.n_x)},
+                        {"k_x", result.k_x},
+                        {"n_x", static_cast<double>(result.n_x)},
                         {"tau", flow.tau}});
     write_grid();
     write_spectrum();
     write_base();
-    for (std::size_t mode = 0; mode < result_.fields.modes.size(); ++mode) {
+    for (std::size_t mode = 0; mode < result.fields.modes.size(); ++mode) {
       grids_.push_back(
           {static_cast<double>(mode + 1), corners_, {file_name, "/points", points_}, {}});
       for (const xdmf::Attribute& attribute : of_base_)
         grids_.back().attributes.push_back(attribute);
-      write_mode(group_of(mode), result_.fields.modes[mode]);
+      write_mode(group_of(mode), result.fields.modes[mode]);
     }
     writer_.finish();
-    xdmf::write(folder_ / "global_modes.xdmf", "global modes", grids_);
+    xdmf::write(folder / "global_modes.xdmf", "global modes", grids_);
   }
 
  private:
@@ -203,7 +200,6 @@ class FieldsFile {
   const Result& result_;
   int rows_, columns_;
   hdf5::Shape cells_, corners_, points_;
-  std::filesystem::path folder_;
   hdf5::Writer writer_;
   std::vector<xdmf::Attribute> of_base_;
   std::vector<xdmf::Grid> grids_;
@@ -230,7 +226,7 @@ void write_flag_feedback(const Result& result, const std::filesystem::path& file
 }  // namespace
 
 void write_fields(const Result& result, const std::filesystem::path& folder) {
-  FieldsFile(result, folder).write();
+  const FieldsFile written(result, folder);
   const std::vector<ModeFields>& modes = result.fields.modes;
   if (std::ranges::all_of(modes, [](const ModeFields& mode) { return mode.adjoint.has_value(); }))
     write_flag_feedback(result, folder / "global_flag_feedback.csv");
