@@ -1,6 +1,8 @@
 pennon_test(test_global_parts LABEL unit SOURCES unit/global_parts.cpp
             LINK pennon::global pennon::modes)
 pennon_test(test_global_fields LABEL unit SOURCES unit/global_fields.cpp LINK pennon::global)
+pennon_test(test_global_still_fluid LABEL verification
+            SOURCES verification/global_still_fluid.cpp LINK pennon::eigensolver)
 pennon_test(test_global_modes LABEL verification
             SOURCES verification/global_base_flow.cpp verification/global_growth.cpp
                     verification/global_propagator.cpp

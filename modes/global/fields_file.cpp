@@ -226,7 +226,7 @@ void write_flag_feedback(const Result& result, const std::filesystem::path& file
 }  // namespace
 
 void write_fields(const Result& result, const std::filesystem::path& folder) {
-  FieldsFile(result, folder);
+  const FieldsFile written(result, folder);
   const std::vector<ModeFields>& modes = result.fields.modes;
   if (std::ranges::all_of(modes, [](const ModeFields& mode) { return mode.adjoint.has_value(); }))
     write_flag_feedback(result, folder / "global_flag_feedback.csv");

@@ -18,10 +18,13 @@ void declare(Schema& schema, Settings& settings) {
              "Global eigenmodes of flow and flag, about the steady flow past the flat flag, by the "
              "equations of [dns].",
              &settings.is_given)
-      .key({"n_modes", &settings.n_modes, "modes sought, next to the target", Range{1, 200}})
+      .key({"n_modes", &settings.n_modes, "modes sought, next to each target", Range{1, 200}})
       .key({"target", &settings.target,
-            "growth rate and angular frequency near which modes are sought, in V/L; left out: the "
-            "leading modes up to an angular frequency of about 13",
+            "growth rate and angular frequency near which modes are sought, in V/L; more such "
+            "pairs may "
+            "follow, whose modes are merged into one spectrum; left out: the n_modes leading modes "
+            "up "
+            "to an angular frequency of about 13",
             any_sign})
       .key({"k_x", &settings.k_x, "spanwise wavenumber, in 1/L", ranges::k_x, false,
             "2 pi/gamma, in two dimensions 0"})
@@ -54,10 +57,10 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
     faults.about("modes.global",
                  "[modes.global] needs [flow]: Re, the Reynolds number V L/nu, has no default");
   if (!(flag.mu > 0)) faults.about("flag.mu", "[modes.global] needs flag.mu, the mass ratio");
-  if (!settings.target.empty() && settings.target.size() != 2)
+  if (!settings.target.empty() && settings.target.size() % 2 != 0)
     faults.about("modes.global.target",
                  fmt::format("modes.global.target holds {} numbers; it is [growth rate, angular "
-                             "frequency]",
+                             "frequency], or several such pairs one after the other",
                              settings.target.size()));
   if (settings.n_theta % 2 != 0)
     faults.about("modes.global.n_theta",

@@ -14,7 +14,8 @@ namespace pennon::modes::global {
 struct Settings {
   bool is_given = false;
   std::int64_t n_modes = 6;
-  std::vector<double> target;  ///< growth rate and angular frequency; empty: see study.hpp
+  /// Growth rate and angular frequency of each target in turn; empty: see study.hpp.
+  std::vector<double> target;
   std::optional<double> k_x;
   std::int64_t n_rho = 0, n_theta = 0, n_x = 0;  ///< 0: not given
   std::optional<double> R, wall_spacing, wake_clustering, dt;

@@ -64,16 +64,25 @@ nlohmann::ordered_json to_json(const Sensitivity& sensitivity) {
           {"ln_tension", parts(sensitivity.tension)}};
 }
 
+std::vector<Complex> targets_of(const std::vector<double>& pairs) {
+  std::vector<Complex> targets;
+  targets.reserve(pairs.size() / 2);
+  for (std::size_t k = 0; k + 1 < pairs.size(); k += 2)
+    targets.emplace_back(pairs[k], pairs[k + 1]);
+  return targets;
+}
+
 Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
                      const EigenSolver& solve) {
   const int n_modes = static_cast<int>(settings.n_modes);
   std::vector<Complex> targets = usual_targets;
-  if (!settings.target.empty()) targets = {Complex(settings.target[0], settings.target[1])};
+  const bool are_given = !settings.target.empty();
+  if (are_given) targets = targets_of(settings.target);
   Spectrum spectrum;
-  spectrum.requested = n_modes;
+  spectrum.requested = are_given ? n_modes * static_cast<int>(targets.size()) : n_modes;
   for (const Complex& target : targets)
     merge(solve(coupled, target, n_modes, settings.adjoint).pairs, spectrum);
-  if (spectrum.pairs.size() > static_cast<std::size_t>(n_modes))
+  if (!are_given && spectrum.pairs.size() > static_cast<std::size_t>(n_modes))
     spectrum.pairs.resize(static_cast<std::size_t>(n_modes));
   biorthogonalise(coupled.A, coupled.B, spectrum.pairs);
   return spectrum;

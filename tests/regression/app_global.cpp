@@ -109,6 +109,10 @@ TEST_F(ModesGlobal, KeepsFieldsThatParaViewOpensOfFlowModesAndWavemaker) {
   EXPECT_EQ(found.attributes, expected);
 
   const hdf5::Reader fields(results() + "/global_modes.h5");
+  EXPECT_EQ(fields.number("/", "mu", 0), 0.3);
+  EXPECT_EQ(fields.number("/", "k_x", 0), M_PI);
+  EXPECT_EQ(fields.shape("/base/is_inflow"), (hdf5::Shape{32}));
+  EXPECT_EQ(fields.shape("/flag"), (hdf5::Shape{17, 2}));
   const auto defect = [&](const std::string& name, double sign) {
     const hdf5::Array array = fields.read(name);
     const std::size_t n_theta = array.shape[1];

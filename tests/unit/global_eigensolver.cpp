@@ -1,10 +1,13 @@
 // SLEPc on pencils whose spectrum is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "common/petsc.hpp"
 #include "dns/wall_faces.hpp"
 #include "modes/global/coupled_operator.hpp"
 #include "modes/global/slepc/eigensolver.hpp"
+#include "modes/global/study.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -96,6 +99,39 @@ TEST(GlobalEigensolver, AdjointsOfTheFlagAreOrthogonalToModesThatAnotherSolverFo
     EXPECT_LT(pair.adjoint_residual, 1e-9);
     EXPECT_LT(std::abs(pair.p.dot(coupled.B * pair.q) - 1.0), 1e-12);
   }
+}
+
+TEST(GlobalEigensolver, MergesTheModesOfSeveralTargetsIntoOneSpectrum) {
+  start();
+  FlagParameters flag;
+  flag.mu = 0.3;
+  flag.K_B = 1e-3;
+  Settings settings;
+  settings.n_modes = 3;
+  settings = resolve(settings, flag, {16, 32, 4, 4, 0.05, 0, 0.02});
+  const auto modes_near = [&](const std::vector<double>& target) {
+    settings.target = target;
+    return run(flag, {.Re = 300}, settings,
+               [](const CoupledOperator& coupled, Complex near, int n_modes, bool with_adjoints) {
+                 return eigenpairs_near(coupled.A, coupled.B, near, n_modes, with_adjoints);
+               });
+  };
+  const Result one = modes_near({0.4, 2.6}), other = modes_near({-0.5, 4.5}),
+               merged = modes_near({0.4, 2.6, -0.5, 4.5});
+  const auto holds = [](const Result& result, const GlobalMode& mode) {
+    return std::ranges::any_of(
+        result.modes, [&](const GlobalMode& each) { return are_same(each.lambda, mode.lambda); });
+  };
+  std::size_t common = 0;
+  for (const GlobalMode& mode : one.modes) {
+    EXPECT_TRUE(holds(merged, mode));
+    common += holds(other, mode) ? 1 : 0;
+  }
+  for (const GlobalMode& mode : other.modes) EXPECT_TRUE(holds(merged, mode));
+  EXPECT_GT(common, 0u);  // else nothing had to be merged
+  EXPECT_EQ(merged.modes.size(), one.modes.size() + other.modes.size() - common);
+  EXPECT_EQ(merged.fields.modes.size(), merged.modes.size());
+  EXPECT_EQ(merged.requested, 6);
 }
 
 TEST(GlobalEigensolver, SurvivesATargetOnAnEigenvalue) {
