@@ -83,6 +83,7 @@ TEST_F(ModesGlobal, TakesTheWaveOfTheSpan) {
 std::vector<std::string> attributes_of(const std::vector<std::string>& base,
                                        const std::vector<std::string>& mode) {
   std::vector<std::string> attributes;
+  attributes.reserve(base.size() + 2 * mode.size());
   for (const std::string& name : base) attributes.push_back("base_" + name + ": Scalar at Cell");
   for (const std::string& name : mode)
     for (const char* part : {"_real", "_imag"})
