@@ -12,6 +12,7 @@
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
 #include "common/petsc.hpp"
+#include "modes/global/neutral_curve.hpp"
 #include "modes/global/slepc/eigensolver.hpp"
 #include "modes/global/study.hpp"
 
@@ -36,7 +37,11 @@ void solve(const char* problem_file, const char* result_file) {
   };
   const global::Result result =
       global::run(problem.flag, problem.flow, problem.settings, eigenpairs);
-  write_file(result_file, to_json(result).dump(1) + "\n");
+  nlohmann::ordered_json json = to_json(result);
+  if (problem.settings.neutral.is_given)
+    json["global"].update(
+        to_json(global::neutral_curve(problem.flag, problem.flow, problem.settings, eigenpairs)));
+  write_file(result_file, json.dump(1) + "\n");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "analysis/plot.hpp"
 #include "app/commands.hpp"
+#include "app/global_neutral.hpp"
 #include "app/global_process.hpp"
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
@@ -100,6 +101,10 @@ void run_modes(const Options& options) {
       const nlohmann::ordered_json found = global_modes(the_case, folder);
       json["global"] = found["global"];
       text += text_of_global(found);
+      if (the_case.global_modes.neutral.is_given) {
+        write_neutral_curve(found["global"], the_case, folder);
+        text += text_of_neutral_curve(found["global"]);
+      }
     }
     return Answer{json, text};
   };

@@ -1,5 +1,8 @@
 pennon_test(test_global_parts LABEL unit SOURCES unit/global_parts.cpp
             LINK pennon::global pennon::modes)
+pennon_test(test_global_neutral LABEL unit
+            SOURCES unit/global_neutral.cpp unit/global_neutral_curve.cpp
+            LINK pennon::global)
 pennon_test(test_global_modes LABEL verification
             SOURCES verification/global_base_flow.cpp verification/global_growth.cpp
             LINK pennon::global pennon::dns)

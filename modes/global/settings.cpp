@@ -18,7 +18,10 @@ void declare(Schema& schema, Settings& settings) {
              "Global eigenmodes of flow and flag, about the steady flow past the flat flag, by the "
              "equations of [dns].",
              &settings.is_given)
-      .key({"n_modes", &settings.n_modes, "modes sought, next to the target", Range{1, 200}})
+      .key(
+          {"n_modes", &settings.n_modes,
+           "modes sought, next to the target; 0: none, where a neutral curve is all that is wanted",
+           Range{0, 200}})
       .key({"target", &settings.target,
             "growth rate and angular frequency near which modes are sought, in V/L; left out: the "
             "leading modes up to an angular frequency of about 13",
@@ -46,10 +49,14 @@ void declare(Schema& schema, Settings& settings) {
           {"adjoint", &settings.adjoint,
            "find the adjoint modes too, and what a little more of mu, K_B, nu_s or tension does to "
            "each mode"});
+  declare(schema, settings.neutral);
 }
 
 void check(const Settings& settings, const FlagParameters& flag, bool has_flow, Faults& faults) {
+  if (settings.neutral.is_given && !settings.is_given)
+    faults.about("modes.global.neutral", "[modes.global.neutral] needs [modes.global] beside it");
   if (!settings.is_given) return;
+  check(settings.neutral, faults);
   if (!has_flow)
     faults.about("modes.global",
                  "[modes.global] needs [flow]: Re, the Reynolds number V L/nu, has no default");

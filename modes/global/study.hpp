@@ -35,6 +35,12 @@ struct Result {
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
 };
 
+/// Throws InputError where the settings, which are resolved, make no grid.
+OGrid grid_of(const Settings&);
+
+/// The n_modes pairs next to the target, or without one the leading ones of several targets.
+Spectrum spectrum_of(const CoupledOperator&, const Settings&, const EigenSolver&);
+
 /// Precondition: the settings are resolved. Without a target the modes next to several points along
 /// the axis of the angular frequency are sought, and the n_modes that grow most are kept. Throws
 /// SolverError.
