@@ -17,7 +17,7 @@ namespace {
 Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
   const std::string kind = file.text("/", "kind");
   if (kind == "lsa_curve") return figure_of_curve(file);
-  if (kind == "lsa_map") return figure_of_map(file);
+  if (kind == "lsa_map" || kind == "global_map") return figure_of_map(file);
   if (kind == "lsa_verdicts") return figure_of_verdicts(file);
   if (kind == "normal_modes") return figure_of_normal_modes(file);
   if (kind == "global_neutral") return figure_of_neutral_curve(file);

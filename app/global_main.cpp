@@ -12,6 +12,7 @@
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
 #include "common/petsc.hpp"
+#include "modes/global/growth_map.hpp"
 #include "modes/global/neutral_curve.hpp"
 #include "modes/global/slepc/eigensolver.hpp"
 #include "modes/global/study.hpp"
@@ -41,6 +42,8 @@ void solve(const char* problem_file, const char* result_file) {
   if (problem.settings.neutral.is_given)
     json["global"].update(
         to_json(global::neutral_curve(problem.flag, problem.flow, problem.settings, eigenpairs)));
+  if (problem.settings.map.is_given)
+    json["map"] = to_json(global::growth_map(problem.flag, problem.flow, problem.settings));
   write_file(result_file, json.dump(1) + "\n");
 }
 

@@ -112,9 +112,8 @@ void write_local_theory(const Case& the_case, const std::vector<double>& values,
 
 // The outcomes without cross-flow that lie on the picture; those of the table are at the Reynolds
 // number of the case.
-void write_marks(const Case& the_case, hdf5::Writer& file) {
+void write_marks(const Case& the_case, CurveParameter over, hdf5::Writer& file) {
   if (!the_case.lsa.marks.is_given) return;
-  const CurveParameter over = parameter(the_case.global_modes.neutral);
   std::vector<double> x, y, unstable;
   for (const lsa::Outcome& outcome : lsa::read_outcomes(the_case.lsa.marks.table)) {
     constexpr double same = 1e-9;
@@ -163,10 +162,80 @@ void write_neutral_curve(const Json& global, const Case& the_case, const OutputF
         {{"meaning", "critical mass ratio of the global modes"}, {"label", "{/:Italic μ}_{cr}"}});
     write_branches(points, file);
     write_local_theory(the_case, x, file);
-    write_marks(the_case, file);
+    write_marks(the_case, parameter(settings), file);
     file.finish();
   }
   analysis::plot(path);
+}
+
+void write_growth_map(const Json& map, const Case& the_case, const OutputFolder& folder) {
+  const modes::global::MapSettings& settings = the_case.global_modes.map;
+  const lsa::Axis axis = axis_of(parameter(settings));
+  const auto x = map["x"].get<std::vector<double>>(), mu = map["mu"].get<std::vector<double>>();
+  CsvText table("growth rate and angular frequency in V/L of the global mode that grows most",
+                {name(axis), "mu", "growth", "omega"});
+  std::vector<double> growth, omega, neutral_x, neutral_y;
+  for (std::size_t m = 0; m < mu.size(); ++m)
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      growth.push_back(number_or_nan(map["growth"][m][i]));
+      omega.push_back(number_or_nan(map["omega"][m][i]));
+      table.row({x[i], mu[m], growth.back(), omega.back()});
+    }
+  write_file(folder / "global_map.csv", table.text());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Json& neutral = map["neutral"][i];
+    const double lowest = neutral.empty() ? none : neutral[0].get<double>();
+    neutral_x.push_back(x[i]);
+    neutral_y.push_back(lowest <= mu.back() ? lowest : none);
+  }
+  const std::filesystem::path path = folder / "global_map.h5";
+  {
+    hdf5::Writer file(path);
+    file.attributes({{"kind", "global_map"}, {"title", settings.title}, {"picture", "growth"}});
+    const auto write_axis = [&](const std::string& where, lsa::Axis its, const Sweep& sweep,
+                                const std::vector<double>& values) {
+      file.write(where, {values.size()}, values,
+                 {{"name", name(its)},
+                  {"meaning", meaning(its)},
+                  {"label", label(its)},
+                  {"scale", sweep.scale == Scale::log ? "log" : "linear"}});
+    };
+    write_axis("/x", axis, sweep(settings), x);
+    write_axis("/y", lsa::Axis::mu, *settings.mu, mu);
+    file.write("/fields/growth", {mu.size(), x.size()}, growth,
+               {{"name", "growth"},
+                {"meaning", "growth rate of the global mode that grows most, in V/L"},
+                {"label", "growth rate {/:Italic σL}/{/:Italic V}"},
+                {"is_signed", std::int64_t{0}}});
+    file.write("/fields/omega", {mu.size(), x.size()}, omega,
+               {{"name", "omega"},
+                {"meaning", "its angular frequency, in V/L"},
+                {"label", "{/:Italic ωL}/{/:Italic V}"},
+                {"is_signed", std::int64_t{0}}});
+    file.write("/neutral/x", {x.size()}, neutral_x, {{"label", "neutral curve"}});
+    file.write("/neutral/y", {x.size()}, neutral_y);
+    write_marks(the_case, parameter(settings), file);
+    file.finish();
+  }
+  analysis::plot(path);
+}
+
+Json summary_of_map(const Json& map) {
+  Json summary = {{"points", map["x"].size() * map["mu"].size()}};
+  for (const char* key : {"fit_error", "lambda_error", "checked", "samples", "sample_s", "map_s"})
+    summary[key] = map[key];
+  return summary;
+}
+
+std::string text_of_growth_map(const Json& map) {
+  return fmt::format(
+      "  growth map: {} points in {:.3g} s after {} samples of the response in {:.3g} s; error of "
+      "the "
+      "fit {:.1e}, of lambda at {} points {:.1e}\n",
+      map["x"].size() * map["mu"].size(), map["map_s"].get<double>(),
+      map["samples"].get<std::size_t>(), map["sample_s"].get<double>(),
+      map["fit_error"].get<double>(), map["checked"].get<std::size_t>(),
+      map["lambda_error"].get<double>());
 }
 
 std::string text_of_neutral_curve(const Json& global) {

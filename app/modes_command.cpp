@@ -105,6 +105,11 @@ void run_modes(const Options& options) {
         write_neutral_curve(found["global"], the_case, folder);
         text += text_of_neutral_curve(found["global"]);
       }
+      if (the_case.global_modes.map.is_given) {
+        write_growth_map(found["map"], the_case, folder);
+        json["global"]["map"] = summary_of_map(found["map"]);
+        text += text_of_growth_map(found["map"]);
+      }
     }
     return Answer{json, text};
   };

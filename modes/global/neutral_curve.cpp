@@ -6,9 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/errors.hpp"
-#include "dns/wall_faces.hpp"
-#include "modes/global/aerodynamic_matrix.hpp"
 #include "modes/global/sampled_fit.hpp"
+#include "modes/global/station.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -17,55 +16,23 @@ using Complex = std::complex<double>;
 
 constexpr std::size_t most_samples = 80;
 // Between a mode and where it was expected: farther off it is another one, or none.
-constexpr double same_omega = 0.3;
-constexpr double same_mu = 0.2;  // relative
+constexpr double same_omega = 0.5;
+constexpr double same_mu = 0.3;  // of its logarithm
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
-
-struct Parameters {
-  dns::FlagMaterial material;
-  PlaneParameters flow;
-  double k_x;
-};
-
-// Flow, flag (with mu = 1) and response at a point of the curve.
-struct Station {
-  BaseFlow base;
-  FlagOperator flag;
-  CoupledOperator coupled;
-  AerodynamicMatrix F;
-
-  Station(const OGrid& grid, BaseFlow its_base, FlagOperator its_flag, double k_x)
-      : base(std::move(its_base)),
-        flag(std::move(its_flag)),
-        coupled(coupled_operator(grid, base, flag, k_x)),
-        F(coupled, flag.stiffness) {}
-
-  Aerodynamics aerodynamics() {
-    return [this](Complex lambda) {
-      return Response{F.at(lambda),
-                      [this](const Eigen::VectorXcd& zeta) { return F.derivative(zeta); }};
-    };
-  }
-
-  CoupledOperator with_mass_ratio(double mu) const {
-    CoupledOperator scaled = coupled;
-    for (Eigen::Index node = 0; node < scaled.flag_nodes; ++node)
-      scaled.B.coeffRef(scaled.zeta_t(node), scaled.zeta_t(node)) *= mu;
-    return scaled;
-  }
-};
 
 // Where a branch is expected.
 struct Expected {
   int branch;
   double omega, mu;
 
-  bool is(const NeutralMode& mode) const {
-    return std::abs(mode.omega - omega) < same_omega && std::abs(mode.mu - mu) < same_mu * mu;
+  /// 1 where it is another mode.
+  double distance(const NeutralMode& mode) const {
+    return std::hypot((mode.omega - omega) / same_omega, std::log(mode.mu / mu) / same_mu);
   }
+  bool is(const NeutralMode& mode) const { return distance(mode) < 1; }
 };
 
 class Curve {
@@ -75,12 +42,7 @@ class Curve {
       : settings_(settings),
         wanted_(settings.neutral),
         solve_(solve),
-        grid_(grid_of(settings)),
-        chord_(dns::coupled_chord(grid_)),
-        edge_(flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned),
-        parameters_{{1, flag.K_B, flag.K_S, flag.nu_s, flag.damping},
-                    {.Re = flow.Re, .U = flow.U, .tau = 2 * *settings.dt / 3},
-                    *settings.k_x},
+        stations_(flag, flow, settings, parameter(wanted_)),
         values_(sweep(wanted_).values()),
         is_log_(sweep(wanted_).scale == Scale::log) {}
 
@@ -91,12 +53,12 @@ class Curve {
     std::size_t last_scan = 0, scan_to = 0;
     for (std::size_t i = 0; i <= last; ++i) {
       const auto begin = std::chrono::steady_clock::now();
-      Station station = station_at(i);
+      Station station = stations_.at(values_[i]);
       CurvePoint& point = found[i];
       point = CurvePoint{};
       point.value = values_[i];
       const std::vector<Expected> expected = expectations(found, i);
-      const bool is_due = i <= scan_to || i == last || i % every == 0 || !fluid_varies();
+      const bool is_due = i <= scan_to || i == last || i % every == 0 || !stations_.fluid_varies();
       if (is_due || !follow(station, expected, point)) {
         const int known = branches_;
         scan(station, expected, point);
@@ -122,43 +84,6 @@ class Curve {
   }
 
  private:
-  // Whether F does, from point to point.
-  bool fluid_varies() const {
-    return parameter(wanted_) == CurveParameter::Re || parameter(wanted_) == CurveParameter::k_x;
-  }
-
-  Parameters parameters_at(double value) const {
-    Parameters there = parameters_;
-    switch (parameter(wanted_)) {
-      case CurveParameter::Re:
-        there.flow.Re = value;
-        break;
-      case CurveParameter::k_x:
-        there.k_x = value;
-        break;
-      case CurveParameter::K_B:
-        there.material.K_B = value;
-        break;
-      case CurveParameter::nu_s:
-        there.material.nu_s = value;
-        break;
-    }
-    return there;
-  }
-
-  Station station_at(std::size_t i) {
-    const Parameters there = parameters_at(values_[i]);
-    const int components = there.k_x != 0 ? 3 : 2;
-    if (!base_)
-      base_ = base_flow(grid_, there.flow, components);
-    else if (base_->parameters.Re != there.flow.Re || base_->q.components() != components)
-      base_ = base_flow(grid_, there.flow, components, *base_);
-    return {grid_, *base_,
-            flag_operator(chord_, edge_, there.material, base_->forces, there.k_x,
-                          static_cast<int>(settings_.n_x)),
-            there.k_x};
-  }
-
   double coordinate(std::size_t i) const { return is_log_ ? std::log(values_[i]) : values_[i]; }
 
   // By the last two points, for the branches of the last one.
@@ -199,10 +124,24 @@ class Curve {
     return !point.modes.empty();
   }
 
+  // That of the nearest expected mode which no other is, or a new one.
+  int branch_of(const NeutralMode& mode, const std::vector<Expected>& expected,
+                const CurvePoint& point) {
+    const Expected* nearest = nullptr;
+    for (const Expected& branch : expected) {
+      const bool is_taken = std::ranges::any_of(
+          point.modes, [&](const BranchPoint& known) { return known.branch == branch.branch; });
+      if (!is_taken && branch.is(mode) &&
+          (!nearest || branch.distance(mode) < nearest->distance(mode)))
+        nearest = &branch;
+    }
+    return nearest ? nearest->branch : branches_++;
+  }
+
   void scan(Station& station, const std::vector<Expected>& expected, CurvePoint& point) {
     point.modes.clear();
     const Interval omega{wanted_.omega[0], wanted_.omega[1]}, mu{wanted_.mu[0], wanted_.mu[1]};
-    if (!fit_ || fluid_varies())
+    if (!fit_ || stations_.fluid_varies())
       fit_ = sampled_fit([&](Complex lambda) { return station.F.at(lambda); }, omega,
                          wanted_.fit_tolerance, most_samples);
     point.fit_error = fit_->error;
@@ -210,9 +149,7 @@ class Curve {
       if (static_cast<std::int64_t>(point.modes.size()) == wanted_.branches) break;
       const auto mode = neutral_mode(station.aerodynamics(), station.flag, start.omega, start.mu);
       if (!mode || !Expected{0, start.omega, start.mu}.is(*mode)) continue;
-      const auto known =
-          std::ranges::find_if(expected, [&](const Expected& branch) { return branch.is(*mode); });
-      add(station, known != expected.end() ? known->branch : branches_++, *mode, point);
+      add(station, branch_of(*mode, expected, point), *mode, point);
     }
     std::ranges::sort(point.modes, {}, [](const BranchPoint& p) { return p.mode.mu; });
   }
@@ -242,13 +179,9 @@ class Curve {
   const Settings& settings_;
   const NeutralSettings& wanted_;
   const EigenSolver& solve_;
-  OGrid grid_;
-  std::vector<double> chord_;
-  dns::Edge edge_;
-  Parameters parameters_;
+  Stations stations_;
   std::vector<double> values_;
   bool is_log_;
-  std::optional<BaseFlow> base_;
   std::optional<SampledFit> fit_;
   int branches_ = 0;  // so far
 };

@@ -12,7 +12,8 @@ namespace {
 constexpr std::array parameters = {CurveParameter::Re, CurveParameter::k_x, CurveParameter::K_B,
                                    CurveParameter::nu_s};
 
-const std::optional<Sweep>& sweep_of(const NeutralSettings& settings, CurveParameter parameter) {
+template <class Settings>
+const std::optional<Sweep>& sweep_of(const Settings& settings, CurveParameter parameter) {
   switch (parameter) {
     case CurveParameter::Re:
       return settings.Re;
@@ -34,20 +35,56 @@ void check_interval(const std::string& key, const std::vector<double>& ends, Fau
                                   ends[0], ends[1]));
 }
 
+void check_values(const std::string& key, const Sweep& values, Faults& faults) {
+  constexpr std::int64_t most_points = 10000;
+  if (values.size() > most_points)
+    faults.about(key,
+                 fmt::format("{} has {} points; it may have {}", key, values.size(), most_points));
+  else if (!values.is_increasing())
+    faults.about(key, key + " must list its values in increasing order");
+}
+
+// One of the four is given, in order.
+template <class Settings>
+void check_sweep(const std::string& table, const Settings& settings, Faults& faults) {
+  int given = 0;
+  for (const CurveParameter parameter : parameters) {
+    const std::optional<Sweep>& values = sweep_of(settings, parameter);
+    if (!values) continue;
+    ++given;
+    check_values(fmt::format("{}.{}", table, name(parameter)), *values, faults);
+  }
+  if (given != 1)
+    faults.about(table, fmt::format("{} needs one of Re, k_x, K_B, nu_s as a range or a list; it "
+                                    "has {}",
+                                    table, given));
+}
+
+template <class Settings>
+CurveParameter parameter_of(const Settings& settings) {
+  for (const CurveParameter parameter : parameters)
+    if (sweep_of(settings, parameter)) return parameter;
+  return CurveParameter::Re;
+}
+
+template <class Settings>
+void declare_sweeps(Table& table, Settings& settings) {
+  table.key({"Re", &settings.Re, "Reynolds number V L/nu", ranges::Re})
+      .key({"k_x", &settings.k_x, "spanwise wavenumber, in 1/L", Range{0, 1e30}})
+      .key({"K_B", &settings.K_B, "bending stiffness EI/(rho_f V^2 L^3)", ranges::K_B})
+      .key({"nu_s", &settings.nu_s, "Poisson ratio", ranges::nu_s});
+}
+
 }  // namespace
 
 void declare(Schema& schema, NeutralSettings& settings) {
-  schema
-      .table("modes.global.neutral",
-             "The neutral curve: the critical mass ratio mu_cr, above which the first global mode "
-             "grows, along one of Re, k_x, K_B, nu_s. flag.mu does not enter.",
-             &settings.is_given)
-      .key({"Re", &settings.Re, "along the curve: Reynolds number V L/nu", ranges::Re})
-      .key({"k_x", &settings.k_x, "along the curve: spanwise wavenumber, in 1/L", Range{0, 1e30}})
-      .key({"K_B", &settings.K_B, "along the curve: bending stiffness EI/(rho_f V^2 L^3)",
-            ranges::K_B})
-      .key({"nu_s", &settings.nu_s, "along the curve: Poisson ratio", ranges::nu_s})
-      .key({"mu", &settings.mu, "mass ratios between which neutral modes are sought", positive})
+  Table& table =
+      schema.table("modes.global.neutral",
+                   "The neutral curve: the critical mass ratio mu_cr, above which the first global "
+                   "mode grows, along one of Re, k_x, K_B, nu_s. flag.mu does not enter.",
+                   &settings.is_given);
+  declare_sweeps(table, settings);
+  table.key({"mu", &settings.mu, "mass ratios between which neutral modes are sought", positive})
       .key({"omega", &settings.omega, "angular frequencies between which they are sought, in V/L",
             positive})
       .key({"branches", &settings.branches,
@@ -68,35 +105,45 @@ void declare(Schema& schema, NeutralSettings& settings) {
 
 void check(const NeutralSettings& settings, Faults& faults) {
   if (!settings.is_given) return;
-  int given = 0;
-  for (const CurveParameter parameter : parameters) {
-    const std::optional<Sweep>& values = sweep_of(settings, parameter);
-    if (!values) continue;
-    ++given;
-    const std::string key = fmt::format("modes.global.neutral.{}", name(parameter));
-    constexpr std::int64_t most_points = 10000;
-    if (values->size() > most_points)
-      faults.about(key, fmt::format("{} has {} points; a neutral curve has at most {}", key,
-                                    values->size(), most_points));
-    else if (!values->is_increasing())
-      faults.about(key, key + " must list its values in increasing order");
-  }
-  if (given != 1)
-    faults.about("modes.global.neutral",
-                 fmt::format("modes.global.neutral needs one of Re, k_x, K_B, nu_s as a range or a "
-                             "list; it has {}",
-                             given));
+  check_sweep("modes.global.neutral", settings, faults);
   check_interval("modes.global.neutral.mu", settings.mu, faults);
   check_interval("modes.global.neutral.omega", settings.omega, faults);
 }
 
-CurveParameter parameter(const NeutralSettings& settings) {
-  for (const CurveParameter parameter : parameters)
-    if (sweep_of(settings, parameter)) return parameter;
-  return CurveParameter::Re;
+void declare(Schema& schema, MapSettings& settings) {
+  Table& table =
+      schema.table("modes.global.map",
+                   "Growth rates over mu, along the ordinate, and one of Re, k_x, K_B, nu_s, by a "
+                   "rational fit of "
+                   "the fluid's response: one fit for all K_B or nu_s, one for each Re or k_x.",
+                   &settings.is_given);
+  table.key({"mu", &settings.mu, "mass ratios", ranges::mu, true});
+  declare_sweeps(table, settings);
+  table
+      .key({"omega", &settings.omega,
+            "angular frequencies between which modes become neutral, in V/L", positive})
+      .key({"fit_tolerance", &settings.fit_tolerance, "relative error of the fit",
+            Range{1e-10, 1e-2}})
+      .key({"title", &settings.title, "of the picture"});
 }
 
+void check(const MapSettings& settings, Faults& faults) {
+  if (!settings.is_given) return;
+  check_sweep("modes.global.map", settings, faults);
+  if (settings.mu) check_values("modes.global.map.mu", *settings.mu, faults);
+  check_interval("modes.global.map.omega", settings.omega, faults);
+}
+
+CurveParameter parameter(const NeutralSettings& settings) {
+  return parameter_of(settings);
+}
 const Sweep& sweep(const NeutralSettings& settings) {
+  return *sweep_of(settings, parameter(settings));
+}
+CurveParameter parameter(const MapSettings& settings) {
+  return parameter_of(settings);
+}
+const Sweep& sweep(const MapSettings& settings) {
   return *sweep_of(settings, parameter(settings));
 }
 

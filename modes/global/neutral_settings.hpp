@@ -1,4 +1,5 @@
-/// What a case asks of the neutral curve: the table [modes.global.neutral].
+/// What a case asks of the neutral curve and of the map of growth rates: the tables
+/// [modes.global.neutral] and [modes.global.map].
 #pragma once
 
 #include <cstdint>
@@ -26,12 +27,25 @@ struct NeutralSettings {
   std::string title = {};
 };
 
+struct MapSettings {
+  bool is_given = false;
+  std::optional<Sweep> mu = {};
+  std::optional<Sweep> Re = {}, k_x = {}, K_B = {}, nu_s = {};  ///< one of them
+  std::vector<double> omega = {1, 13};
+  double fit_tolerance = 1e-6;
+  std::string title = {};
+};
+
 void declare(Schema&, NeutralSettings&);
+void declare(Schema&, MapSettings&);
+void check(const MapSettings&, Faults&);
 void check(const NeutralSettings&, Faults&);
 
 /// Precondition: check() finds no fault.
 CurveParameter parameter(const NeutralSettings&);
 const Sweep& sweep(const NeutralSettings&);
+CurveParameter parameter(const MapSettings&);
+const Sweep& sweep(const MapSettings&);
 /// As in the case file.
 const char* name(CurveParameter);
 

@@ -50,13 +50,18 @@ void declare(Schema& schema, Settings& settings) {
            "find the adjoint modes too, and what a little more of mu, K_B, nu_s or tension does to "
            "each mode"});
   declare(schema, settings.neutral);
+  declare(schema, settings.map);
 }
 
 void check(const Settings& settings, const FlagParameters& flag, bool has_flow, Faults& faults) {
-  if (settings.neutral.is_given && !settings.is_given)
-    faults.about("modes.global.neutral", "[modes.global.neutral] needs [modes.global] beside it");
+  if (!settings.is_given)
+    for (const auto& [is_given, table] :
+         {std::pair(settings.neutral.is_given, "modes.global.neutral"),
+          std::pair(settings.map.is_given, "modes.global.map")})
+      if (is_given) faults.about(table, fmt::format("[{}] needs [modes.global] beside it", table));
   if (!settings.is_given) return;
   check(settings.neutral, faults);
+  check(settings.map, faults);
   if (!has_flow)
     faults.about("modes.global",
                  "[modes.global] needs [flow]: Re, the Reynolds number V L/nu, has no default");

@@ -21,6 +21,7 @@ struct Settings {
   std::optional<double> R, wall_spacing, wake_clustering, dt;
   bool adjoint = false;
   NeutralSettings neutral;
+  MapSettings map;
 };
 
 void declare(Schema&, Settings&);

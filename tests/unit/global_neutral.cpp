@@ -8,6 +8,7 @@
 #include "common/errors.hpp"
 #include "dns/wall_faces.hpp"
 #include "modes/global/aerodynamic_matrix.hpp"
+#include "modes/global/growth_map.hpp"
 #include "modes/global/neutral.hpp"
 #include "modes/global/rational_fit.hpp"
 #include "modes/global/sampled_fit.hpp"
@@ -133,6 +134,19 @@ TEST(GlobalNeutralModes, OfTwoOscillatorsAreBothFoundWithTheirGrowthByTheMassRat
   }
   EXPECT_TRUE(neutral_modes(two.aerodynamics(), two.flag(), {0.5, 1.5}, {0.01, 1}).empty());
   EXPECT_EQ(neutral_modes(two.aerodynamics(), two.flag(), {0.5, 6}, {0.3, 1}).size(), 1u);
+}
+
+TEST(GlobalFlagMode, OfAnOscillatorIsTheRootOfItsPolynomialWithItsSlope) {
+  const Oscillators two;
+  constexpr double mu = 0.7, h = 1e-5;
+  const Complex root = two.root(1, mu);
+  Eigen::VectorXcd zeta(2);
+  zeta << 0.3, 1;
+  const auto mode = flag_mode(two.aerodynamics(), two.flag(), mu, root + Complex(0.1, 0.2), zeta);
+  ASSERT_TRUE(mode);
+  EXPECT_LT(std::abs(mode->lambda - root), 1e-12);
+  EXPECT_LT(std::abs(mode->zeta[0]), 1e-12);
+  EXPECT_LT(std::abs(mode->by_mu - (two.root(1, mu + h) - two.root(1, mu - h)) / (2 * h)), 1e-7);
 }
 
 // A small flag in a small flow.

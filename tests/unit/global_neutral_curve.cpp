@@ -1,7 +1,9 @@
 // The neutral curve, on a small grid.
 #include <gtest/gtest.h>
 
+#include "modes/global/growth_map.hpp"
 #include "modes/global/neutral_curve.hpp"
+#include "modes/global/station.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -66,6 +68,38 @@ TEST(GlobalNeutralCurve, AlongTheStiffnessNeedsOneFitAndIsThatOfEachStiffnessByI
   ASSERT_EQ(here.points.size(), 1u);
   EXPECT_NEAR(along.points[1].modes.front().mode.mu, here.points[0].modes.front().mode.mu, 1e-10);
   EXPECT_EQ(along.points[0].fit_error, along.points[2].fit_error);
+}
+
+// Checked by the modes of the whole operator, at each point of the map.
+void expect_map_of_the_full_operator(const MapSettings& wanted) {
+  Settings settings = settings_of({});
+  settings.map = wanted;
+  settings.map.is_given = true;
+  settings.map.omega = {1, 10};
+  Sweep mu;
+  mu.list = {0.1, 0.2, 0.35, 0.5};
+  settings.map.mu = mu;
+  const GrowthMap map = growth_map(flag, flow, settings);
+  EXPECT_LE(map.fit_error, 1e-6);
+  EXPECT_GT(map.checked, 0u);
+  Stations stations(flag, flow, settings, parameter(settings.map));
+  for (std::size_t i = 0; i < map.x.size(); ++i) {
+    const Station station = stations.at(map.x[i]);
+    for (std::size_t m = 0; m < map.mu.size(); ++m) {
+      const std::complex<double> lambda(map.growth[m][i], map.omega[m][i]);
+      const CoupledOperator coupled = station.with_mass_ratio(map.mu[m]);
+      const std::complex<double> full = eigenpair_near(coupled.A, coupled.B, lambda).lambda;
+      EXPECT_LT(std::abs(full - lambda), 1e-4) << map.x[i] << ' ' << map.mu[m] << ' ' << lambda;
+    }
+  }
+}
+
+TEST(GlobalGrowthMap, HasTheModesOfTheFullOperatorOverTheSpanwiseWavenumber) {
+  expect_map_of_the_full_operator({.k_x = list({0, 1})});
+}
+
+TEST(GlobalGrowthMap, HasTheModesOfTheFullOperatorOverTheStiffness) {
+  expect_map_of_the_full_operator({.K_B = list({5e-4, 1e-3, 2e-3})});
 }
 
 TEST(GlobalNeutralCurve, NamesTheValuesAtWhichThereIsNone) {
