@@ -9,3 +9,5 @@ pennon_test(test_global_modes LABEL verification
 # In a program of its own: PETSc with complex numbers.
 pennon_test(test_global_eigensolver LABEL unit SOURCES unit/global_eigensolver.cpp
             LINK pennon::eigensolver)
+pennon_test(test_global_validation LABEL validation SOURCES validation/global_neutral.cpp
+            LINK pennon::global)

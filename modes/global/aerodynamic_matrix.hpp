@@ -26,6 +26,8 @@ class AerodynamicMatrix {
   /// `stiffness`: K of the flag that `coupled` was made with, which does not count here.
   AerodynamicMatrix(const CoupledOperator& coupled, const Eigen::MatrixXcd& stiffness);
   ~AerodynamicMatrix();
+  AerodynamicMatrix(const AerodynamicMatrix&) = delete;
+  AerodynamicMatrix& operator=(const AerodynamicMatrix&) = delete;
   AerodynamicMatrix(AerodynamicMatrix&&) noexcept;
   AerodynamicMatrix& operator=(AerodynamicMatrix&&) noexcept;
 

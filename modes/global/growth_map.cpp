@@ -76,7 +76,7 @@ std::optional<FlagMode> follow(const Aerodynamics& F, const FlagOperator& flag, 
                                double to, const FlagMode& mode, int halvings = 6) {
   constexpr double longest_jump = 0.1;  // of lambda, from where the last mode points
   const Complex expected = mode.lambda + mode.by_mu * (to - from);
-  const auto next = flag_mode(F, flag, to, expected, mode.zeta);
+  auto next = flag_mode(F, flag, to, expected, mode.zeta);
   if (next && std::abs(next->lambda - expected) < longest_jump) return next;
   if (halvings == 0) return std::nullopt;
   const double middle = std::sqrt(from * to);
@@ -102,26 +102,29 @@ class Map {
   GrowthMap run() {
     for (std::size_t i = 0; i < map_.x.size(); ++i) {
       stop_if_interrupted("no map was written");
-      Station station = stations_.at(map_.x[i]);
-      if (!fit_ || stations_.fluid_varies()) {
-        const Clock clock(map_.sample_seconds);
-        fit_ =
-            sampled_fit([&](Complex lambda) { return station.F.at(lambda); },
-                        {wanted_.omega[0], wanted_.omega[1]}, wanted_.fit_tolerance, most_samples);
-        map_.samples += fit_->samples;
-        map_.fit_error = std::max(map_.fit_error, fit_->error);
-        known_.clear();
-      }
+      const bool is_checked = stations_.fluid_varies() || i == 0 || i + 1 == map_.x.size();
+      std::optional<Station> station;
+      if (is_checked) station.emplace(stations_.at(map_.x[i]));
+      if (!fit_ || stations_.fluid_varies()) sample(*station);
       {
         const Clock clock(map_.map_seconds);
-        find_column(i, station.flag);
+        find_column(i, station ? station->flag : stations_.flag_at(map_.x[i]));
       }
-      if (stations_.fluid_varies() || i == 0 || i + 1 == map_.x.size()) check_column(station);
+      if (is_checked) check_column(*station);
     }
     return std::move(map_);
   }
 
  private:
+  void sample(Station& station) {
+    const Clock clock(map_.sample_seconds);
+    fit_ = sampled_fit([&](Complex lambda) { return station.F.at(lambda); },
+                       {wanted_.omega[0], wanted_.omega[1]}, wanted_.fit_tolerance, most_samples);
+    map_.samples += fit_->samples;
+    map_.fit_error = std::max(map_.fit_error, fit_->error);
+    known_.clear();
+  }
+
   void find_column(std::size_t i, const FlagOperator& flag) {
     const Aerodynamics F = fit_->aerodynamics();
     std::vector<NeutralMode> neutral;

@@ -13,7 +13,7 @@ namespace {
 using Complex = std::complex<double>;
 using Index = Eigen::Index;
 
-constexpr double neutral_to = 1e-8;  // |Im mu| over |mu|: its square is the error of mu
+constexpr double neutral_to = 1e-6;  // |Im mu| over |mu|: its square is the error of mu
 constexpr int most_evaluations = 12;
 constexpr double longest_step = 1;    // of omega
 constexpr double scan_spacing = 0.1;  // of omega

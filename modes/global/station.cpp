@@ -35,7 +35,7 @@ Stations::Stations(const FlagParameters& flag, const FlowParameters& flow, const
       k_x_(*settings.k_x),
       spanwise_nodes_(static_cast<int>(settings.n_x)) {}
 
-Station Stations::at(double value) {
+void Stations::move_to(double value) {
   switch (parameter_) {
     case CurveParameter::Re:
       flow_.Re = value;
@@ -55,8 +55,16 @@ Station Stations::at(double value) {
     base_ = base_flow(grid_, flow_, components);
   else if (base_->parameters.Re != flow_.Re || base_->q.components() != components)
     base_ = base_flow(grid_, flow_, components, *base_);
-  return {grid_, *base_,
-          flag_operator(chord_, edge_, material_, base_->forces, k_x_, spanwise_nodes_), k_x_};
+}
+
+FlagOperator Stations::flag_at(double value) {
+  move_to(value);
+  return flag_operator(chord_, edge_, material_, base_->forces, k_x_, spanwise_nodes_);
+}
+
+Station Stations::at(double value) {
+  FlagOperator flag = flag_at(value);
+  return {grid_, *base_, std::move(flag), k_x_};
 }
 
 }  // namespace pennon::modes::global

@@ -31,14 +31,18 @@ class Stations {
   /// Precondition: the settings are resolved. Throws InputError where they make no grid.
   Stations(const FlagParameters&, const FlowParameters&, const Settings&, CurveParameter);
 
-  /// Throws SolverError where the steady flow fails.
+  /// Both throw SolverError where the steady flow fails.
   Station at(double value);
+  /// The flag alone, with mu = 1, which costs nothing where the flow is that of the point before.
+  FlagOperator flag_at(double value);
   /// Whether F does, from point to point.
   bool fluid_varies() const {
     return parameter_ == CurveParameter::Re || parameter_ == CurveParameter::k_x;
   }
 
  private:
+  void move_to(double value);
+
   CurveParameter parameter_;
   OGrid grid_;
   std::vector<double> chord_;
