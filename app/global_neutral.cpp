@@ -1,7 +1,6 @@
 #include "app/global_neutral.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -255,11 +254,9 @@ std::string text_of_neutral_curve(const Json& global) {
           "{:.1e} from i omega\n",
           point["largest_growth"].get<double>(), point["distance"].get<double>());
   }
-  const auto missing = global["neutral_missing"].get<std::vector<double>>();
-  if (!missing.empty())
-    text += fmt::format(
-        "  left out, as no neutral mode was found between the given mu and omega: {} = {}\n", over,
-        fmt::join(missing, ", "));
+  for (const Json& missing : global["neutral_missing"])
+    text += fmt::format("  left out: {} = {:.6g}: {}\n", over, missing[over].get<double>(),
+                        missing["fault"].get<std::string>());
   return text;
 }
 

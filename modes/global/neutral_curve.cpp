@@ -52,31 +52,25 @@ class Curve {
     const auto every = static_cast<std::size_t>(wanted_.scan_every);
     std::size_t last_scan = 0, scan_to = 0;
     for (std::size_t i = 0; i <= last; ++i) {
-      const auto begin = std::chrono::steady_clock::now();
-      Station station = stations_.at(values_[i]);
       CurvePoint& point = found[i];
       point = CurvePoint{};
       point.value = values_[i];
-      const std::vector<Expected> expected = expectations(found, i);
+      const int known = branches_;
       const bool is_due = i <= scan_to || i == last || i % every == 0 || !stations_.fluid_varies();
-      if (is_due || !follow(station, expected, point)) {
-        const int known = branches_;
-        scan(station, expected, point);
-        if (i > last_scan + 1 && i > scan_to && has_new_lowest(point, known)) {
-          // It was already there, or came in between.
-          scan_to = i;
-          i = last_scan;
-          continue;
-        }
-        last_scan = i;
+      find(is_due, expectations(found, i), point);
+      if (point.fit_error == 0) continue;
+      if (i > last_scan + 1 && i > scan_to && has_new_lowest(point, known)) {
+        // It was already there, or came in between.
+        scan_to = i;
+        i = last_scan;
+        continue;
       }
-      point.seconds = seconds_since(begin);
-      if (wanted_.check && (i == 0 || i == last)) verify(station, point);
+      last_scan = i;
     }
     NeutralCurve curve{.parameter = parameter(wanted_), .points = {}, .missing = {}};
     for (CurvePoint& point : found) {
       if (point.modes.empty())
-        curve.missing.push_back(point.value);
+        curve.missing.push_back({point.value, point.fault});
       else
         curve.points.push_back(std::move(point));
     }
@@ -84,6 +78,21 @@ class Curve {
   }
 
  private:
+  // The modes at a point, followed or sought; what fails is said there.
+  void find(bool is_due, const std::vector<Expected>& expected, CurvePoint& point) try {
+    const auto begin = std::chrono::steady_clock::now();
+    Station station = stations_.at(point.value);
+    if (is_due || !follow(station, expected, point)) scan(station, expected, point);
+    point.seconds = seconds_since(begin);
+    if (point.modes.empty())
+      point.fault = "no neutral mode with its mass ratio and frequency between those given";
+    else if (wanted_.check && (point.value == values_.front() || point.value == values_.back()))
+      verify(station, point);
+  } catch (const SolverError& fault) {
+    point.modes.clear();
+    point.fault = fault.what();
+  }
+
   double coordinate(std::size_t i) const { return is_log_ ? std::log(values_[i]) : values_[i]; }
 
   // By the last two points, for the branches of the last one.
@@ -159,7 +168,6 @@ class Curve {
   }
 
   void verify(const Station& station, CurvePoint& point) const {
-    if (point.modes.empty()) return;
     const NeutralMode& neutral = point.modes.front().mode;
     Settings leading = settings_;
     leading.target.clear();
@@ -221,9 +229,11 @@ nlohmann::ordered_json to_json(const NeutralCurve& curve) {
                                {"growth_by_mu", at.mode.by_mu.real()},
                                {"residual", at.residual}});
   }
-  return {{"neutral", points},
-          {"neutral_over", name(curve.parameter)},
-          {"neutral_missing", curve.missing}};
+  nlohmann::ordered_json missing = nlohmann::ordered_json::array();
+  for (const MissingPoint& point : curve.missing)
+    missing.push_back({{name(curve.parameter), point.value}, {"fault", point.fault}});
+  return {
+      {"neutral", points}, {"neutral_over", name(curve.parameter)}, {"neutral_missing", missing}};
 }
 
 }  // namespace pennon::modes::global

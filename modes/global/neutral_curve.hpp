@@ -11,6 +11,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "modes/global/neutral.hpp"
@@ -33,16 +34,22 @@ struct CurvePoint {
   /// Of the full operator at mu_cr, where it was asked: the largest growth rate, and how far the
   /// eigenvalue next to i omega is from it.
   std::optional<double> largest_growth, distance;
+  std::string fault = {};  ///< why there are no modes
+};
+
+struct MissingPoint {
+  double value;
+  std::string fault;
 };
 
 struct NeutralCurve {
   CurveParameter parameter = CurveParameter::Re;
-  std::vector<CurvePoint> points;  ///< with at least one mode
-  std::vector<double> missing;     ///< values where none was found
+  std::vector<CurvePoint> points;     ///< with at least one mode
+  std::vector<MissingPoint> missing;  ///< the values left out
 };
 
-/// Preconditions: the settings are resolved and have [modes.global.neutral]. Throws SolverError
-/// where the steady flow or a fit fails.
+/// Preconditions: the settings are resolved and have [modes.global.neutral]. A point at which the
+/// steady flow, a fit or the modes fail is left out, and said so.
 NeutralCurve neutral_curve(const FlagParameters&, const FlowParameters&, const Settings&,
                            const EigenSolver&);
 

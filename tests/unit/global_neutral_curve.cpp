@@ -107,7 +107,9 @@ TEST(GlobalNeutralCurve, NamesTheValuesAtWhichThereIsNone) {
   const NeutralCurve curve = curve_of(neutral);
   ASSERT_EQ(curve.points.size(), 1u);
   EXPECT_EQ(curve.points[0].value, 0);
-  EXPECT_EQ(curve.missing, std::vector<double>{40});
+  ASSERT_EQ(curve.missing.size(), 1u);
+  EXPECT_EQ(curve.missing[0].value, 40);
+  EXPECT_NE(curve.missing[0].fault.find("no neutral mode"), std::string::npos);
 }
 
 }  // namespace
