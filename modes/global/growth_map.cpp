@@ -20,7 +20,6 @@ using Index = Eigen::Index;
 constexpr std::size_t most_samples = 80;
 constexpr double least_mu_of_modes = 1e-4;
 constexpr double greatest_over_map = 20;  // neutral modes are sought up to so many times its mu
-constexpr int columns_of_scan = 10;       // all are sought anew where the fit is the same
 
 class Clock {
  public:
@@ -122,18 +121,14 @@ class Map {
                        {wanted_.omega[0], wanted_.omega[1]}, wanted_.fit_tolerance, most_samples);
     map_.samples += fit_->samples;
     map_.fit_error = std::max(map_.fit_error, fit_->error);
-    known_.clear();
   }
 
   void find_column(std::size_t i, const FlagOperator& flag) {
     const Aerodynamics F = fit_->aerodynamics();
-    std::vector<NeutralMode> neutral;
-    if (known_.empty() || i % columns_of_scan == 0 || i + 1 == map_.x.size())
-      neutral = neutral_modes(F, flag, {wanted_.omega[0], wanted_.omega[1]},
-                              {least_mu_of_modes, greatest_over_map * map_.mu.back()});
-    else
-      for (const NeutralMode& last : known_)
-        if (const auto mode = neutral_mode(F, flag, last.omega, last.mu)) neutral.push_back(*mode);
+    // All anew: those of the column before may have vanished, and others come.
+    const std::vector<NeutralMode> neutral =
+        neutral_modes(F, flag, {wanted_.omega[0], wanted_.omega[1]},
+                      {least_mu_of_modes, greatest_over_map * map_.mu.back()});
     std::ranges::fill(most_, std::nullopt);
     for (const NeutralMode& mode : neutral) {
       map_.neutral[i].push_back(mode.mu);
@@ -145,7 +140,6 @@ class Map {
         map_.growth[m][i] = most_[m]->lambda.real();
         map_.omega[m][i] = most_[m]->lambda.imag();
       }
-    known_ = std::move(neutral);
   }
 
   // Up and down the column from where the mode is neutral.
@@ -195,7 +189,6 @@ class Map {
   Stations stations_;
   GrowthMap map_;
   std::optional<SampledFit> fit_;
-  std::vector<NeutralMode> known_;             // of the last column
   std::vector<std::optional<FlagMode>> most_;  // of the column
 };
 
