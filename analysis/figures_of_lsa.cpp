@@ -120,7 +120,8 @@ Figure figure_of_map(const hdf5::Reader& file) {
   figure.field = field_of(file);
   if (file.contains("/neutral/x"))
     figure.lines.push_back({file.read("/neutral/x").values, file.read("/neutral/y").values,
-                            "neutral curve {/:Italic P} = 0", Stroke::solid, 0, 2.0});
+                            file.text("/neutral/x", "label", "neutral curve {/:Italic P} = 0"),
+                            Stroke::solid, 0, 2.0});
   add_marks(file, figure);
   return figure;
 }

@@ -8,6 +8,7 @@
 #include "analysis/figures_of_global_modes.hpp"
 #include "analysis/figures_of_lsa.hpp"
 #include "analysis/figures_of_modes.hpp"
+#include "analysis/figures_of_neutral.hpp"
 #include "common/errors.hpp"
 #include "common/hdf5.hpp"
 
@@ -17,10 +18,11 @@ namespace {
 Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
   const std::string kind = file.text("/", "kind");
   if (kind == "lsa_curve") return figure_of_curve(file);
-  if (kind == "lsa_map") return figure_of_map(file);
+  if (kind == "lsa_map" || kind == "global_map") return figure_of_map(file);
   if (kind == "lsa_verdicts") return figure_of_verdicts(file);
   if (kind == "normal_modes") return figure_of_normal_modes(file);
   if (kind == "global_modes") return figure_of_spectrum(file);
+  if (kind == "global_neutral") return figure_of_neutral_curve(file);
   if (kind == "flag_history") return figure_of_flag_history(file);
   if (kind == "flag_convergence") return figure_of_flag_convergence(file);
   if (kind == "flag_shapes") return figure_of_flag_shapes(file);

@@ -1,8 +1,8 @@
 /// Pictures of pennon's output files: what `pennon plot` does, and every command after its work.
 ///
 /// A file says what it holds in its attribute `kind`: lsa_curve, lsa_map, lsa_verdicts,
-/// normal_modes, global_modes, flag_history, flag_shapes, flag_convergence, fluid_history,
-/// coupled_history, fluid_fields.
+/// normal_modes, global_modes, global_neutral, global_map, flag_history, flag_shapes,
+/// flag_convergence, fluid_history, coupled_history, fluid_fields.
 #pragma once
 
 #include <filesystem>

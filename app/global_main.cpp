@@ -15,6 +15,8 @@
 #include "common/interrupt.hpp"
 #include "common/petsc.hpp"
 #include "modes/global/fields_file.hpp"
+#include "modes/global/growth_map.hpp"
+#include "modes/global/neutral_curve.hpp"
 #include "modes/global/slepc/eigensolver.hpp"
 #include "modes/global/study.hpp"
 
@@ -39,8 +41,14 @@ void solve(const char* problem_file, const char* result_file) {
   };
   const global::Result result =
       global::run(problem.flag, problem.flow, problem.settings, eigenpairs);
-  write_fields(result, std::filesystem::path(result_file).parent_path());
-  write_file(result_file, to_json(result).dump(1) + "\n");
+  if (!result.modes.empty()) write_fields(result, std::filesystem::path(result_file).parent_path());
+  nlohmann::ordered_json json = to_json(result);
+  if (problem.settings.neutral.is_given)
+    json["global"].update(
+        to_json(global::neutral_curve(problem.flag, problem.flow, problem.settings, eigenpairs)));
+  if (problem.settings.map.is_given)
+    json["map"] = to_json(global::growth_map(problem.flag, problem.flow, problem.settings));
+  write_file(result_file, json.dump(1) + "\n");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "analysis/plot.hpp"
 #include "app/commands.hpp"
+#include "app/global_neutral.hpp"
 #include "app/global_process.hpp"
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
@@ -110,6 +111,15 @@ void run_modes(const Options& options) {
       const nlohmann::ordered_json found = global_modes(the_case, folder);
       json["global"] = found["global"];
       text += text_of_global(found);
+      if (the_case.global_modes.neutral.is_given) {
+        write_neutral_curve(found["global"], the_case, folder);
+        text += text_of_neutral_curve(found["global"]);
+      }
+      if (the_case.global_modes.map.is_given) {
+        write_growth_map(found["map"], the_case, folder);
+        json["global"]["map"] = summary_of_map(found["map"]);
+        text += text_of_growth_map(found["map"]);
+      }
     }
     return Answer{json, text};
   };

@@ -131,6 +131,24 @@ BaseFlow base_flow(const OGrid& grid, const PlaneParameters& parameters, int com
   return base;
 }
 
+BaseFlow base_flow(const OGrid& grid, const PlaneParameters& parameters, int components,
+                   const BaseFlow& nearby) {
+  BaseFlow base{parameters, PlaneFlow<double>(nearby.q.p.extent(), components), {}, {}, {}};
+  const int common = std::min(components, nearby.q.components());
+  for (int c = 0; c < components; ++c) {
+    if (c < common)
+      base.q.field(c) = nearby.q.field(c);
+    else
+      std::ranges::fill(base.q.field(c).values(), parameters.U);
+  }
+  base.q.p = nearby.q.p;
+  base.is_inflow = nearby.is_inflow;
+  if (!Newton(grid, parameters, components).solve(base.q, base.is_inflow, base))
+    return base_flow(grid, parameters, components);
+  find_tension(base);
+  return base;
+}
+
 double largest_residual(const OGrid& grid, const PlaneParameters& parameters, PlaneFlow<double> q,
                         const std::vector<bool>& is_inflow) {
   PlaneEquations<double> equations(grid, parameters, q.components());

@@ -24,6 +24,10 @@ struct BaseFlow {
 /// with the Reynolds number at which Newton's method failed.
 BaseFlow base_flow(const OGrid&, const PlaneParameters&, int components);
 
+/// The same from a flow nearby, at another Reynolds number or with another number of components:
+/// Newton's method at once, and from the uniform stream where that fails.
+BaseFlow base_flow(const OGrid&, const PlaneParameters&, int components, const BaseFlow& nearby);
+
 /// The largest residual of a cell's equations over its volume, at a flow about a flag at rest.
 double largest_residual(const OGrid&, const PlaneParameters&, PlaneFlow<double> q,
                         const std::vector<bool>& is_inflow);

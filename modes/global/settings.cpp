@@ -18,7 +18,10 @@ void declare(Schema& schema, Settings& settings) {
              "Global eigenmodes of flow and flag, about the steady flow past the flat flag, by the "
              "equations of [dns].",
              &settings.is_given)
-      .key({"n_modes", &settings.n_modes, "modes sought, next to each target", Range{1, 200}})
+      .key({"n_modes", &settings.n_modes,
+            "modes sought, next to each target; 0: none, where a neutral curve is all that is "
+            "wanted",
+            Range{0, 200}})
       .key({"target", &settings.target,
             "growth rate and angular frequency near which modes are sought, in V/L; more such "
             "pairs may "
@@ -49,10 +52,19 @@ void declare(Schema& schema, Settings& settings) {
           {"adjoint", &settings.adjoint,
            "find the adjoint modes too, and what a little more of mu, K_B, nu_s or tension does to "
            "each mode"});
+  declare(schema, settings.neutral);
+  declare(schema, settings.map);
 }
 
 void check(const Settings& settings, const FlagParameters& flag, bool has_flow, Faults& faults) {
+  if (!settings.is_given)
+    for (const auto& [is_given, table] :
+         {std::pair(settings.neutral.is_given, "modes.global.neutral"),
+          std::pair(settings.map.is_given, "modes.global.map")})
+      if (is_given) faults.about(table, fmt::format("[{}] needs [modes.global] beside it", table));
   if (!settings.is_given) return;
+  check(settings.neutral, faults);
+  check(settings.map, faults);
   if (!has_flow)
     faults.about("modes.global",
                  "[modes.global] needs [flow]: Re, the Reynolds number V L/nu, has no default");

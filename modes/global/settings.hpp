@@ -7,6 +7,7 @@
 
 #include "common/case_reader.hpp"
 #include "common/parameters.hpp"
+#include "modes/global/neutral_settings.hpp"
 
 namespace pennon::modes::global {
 
@@ -20,6 +21,8 @@ struct Settings {
   std::int64_t n_rho = 0, n_theta = 0, n_x = 0;  ///< 0: not given
   std::optional<double> R, wall_spacing, wake_clustering, dt;
   bool adjoint = false;
+  NeutralSettings neutral;
+  MapSettings map;
 };
 
 void declare(Schema&, Settings&);

@@ -28,14 +28,6 @@ class StopWatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-OGrid grid_of(const Settings& settings) try {
-  return OGrid({static_cast<int>(settings.n_rho), static_cast<int>(settings.n_theta), *settings.R,
-                *settings.wall_spacing, *settings.wake_clustering});
-} catch (const InputError& fault) {
-  const InputFault& first = fault.faults().front();
-  throw InputError("modes.global", fmt::format("no grid: {} {}", first.where, first.what));
-}
-
 SegmentForces<double> scaled(SegmentForces<double> forces, double factor) {
   for (std::vector<double>* force : {&forces.x, &forces.y, &forces.z})
     for (double& value : *force) value *= factor;
@@ -72,6 +64,16 @@ std::vector<Complex> targets_of(const std::vector<double>& pairs) {
   return targets;
 }
 
+}  // namespace
+
+OGrid grid_of(const Settings& settings) try {
+  return OGrid({static_cast<int>(settings.n_rho), static_cast<int>(settings.n_theta), *settings.R,
+                *settings.wall_spacing, *settings.wake_clustering});
+} catch (const InputError& fault) {
+  const InputFault& first = fault.faults().front();
+  throw InputError("modes.global", fmt::format("no grid: {} {}", first.where, first.what));
+}
+
 Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
                      const EigenSolver& solve) {
   const int n_modes = static_cast<int>(settings.n_modes);
@@ -87,8 +89,6 @@ Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
   biorthogonalise(coupled.A, coupled.B, spectrum.pairs);
   return spectrum;
 }
-
-}  // namespace
 
 Result run(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
            const EigenSolver& solve) {
@@ -116,11 +116,12 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
   result.unknowns = coupled.A.rows();
   result.operator_seconds = watch.seconds();
   watch = {};
-  const Spectrum spectrum = spectrum_of(coupled, settings, solve);
+  const Spectrum spectrum =
+      settings.n_modes > 0 ? spectrum_of(coupled, settings, solve) : Spectrum{};
   result.eigen_seconds = watch.seconds();
   result.requested = spectrum.requested;
   result.converged = static_cast<int>(spectrum.pairs.size());
-  if (spectrum.pairs.empty())
+  if (spectrum.pairs.empty() && settings.n_modes > 0)
     throw SolverError(
         "no global mode converged; another modes.global.target or a finer grid may help");
   for (const Eigenpair& pair : spectrum.pairs) {

@@ -42,9 +42,14 @@ struct Result {
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
 };
 
-/// Precondition: the settings are resolved. The n_modes next to each target, each mode once;
-/// without a target those next to several points along the axis of the angular frequency are
-/// sought, and the n_modes that grow most are kept. Throws SolverError.
+/// Throws InputError where the settings, which are resolved, make no grid.
+OGrid grid_of(const Settings&);
+
+/// The n_modes pairs next to each target, each once; without a target the leading ones of several
+/// points along the axis of the angular frequency.
+Spectrum spectrum_of(const CoupledOperator&, const Settings&, const EigenSolver&);
+
+/// What the settings ask for. Precondition: they are resolved. Throws SolverError.
 Result run(const FlagParameters&, const FlowParameters&, const Settings&, const EigenSolver&);
 
 /// What pennon-global hands back: the value of "global" in summary.json, the shapes and the times.

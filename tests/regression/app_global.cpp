@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "common/csv.hpp"
@@ -153,6 +154,67 @@ TEST_F(ModesGlobal, KeepsFieldsThatParaViewOpensOfFlowModesAndWavemaker) {
        {"global_modes.png", "global_modes_mode_1_shape.png", "global_modes_mode_2_vorticity.png",
         "global_modes_mode_1_wavemaker.png", "global_modes_mode_2_flag_wavemaker.png"})
     EXPECT_TRUE(std::filesystem::exists(results() + "/" + picture)) << picture;
+}
+
+TEST_F(ModesGlobal, FindsTheNeutralCurveAndChecksItByTheFullOperator) {
+  const std::string file = case_file(
+      "n_modes = 0\n[modes.global.neutral]\nRe = [280, 300]\nmu = [0.02, 2]\nomega = [1, 10]\n"
+      "[lsa]\nadded_mass = \"wu\"\n");
+  const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json global = json::parse(outcome.out).at("global");
+  EXPECT_EQ(global.at("modes").size(), 0u);
+  EXPECT_EQ(global.at("neutral_over"), "Re");
+  EXPECT_TRUE(global.at("neutral_missing").empty());
+  ASSERT_EQ(global.at("neutral").size(), 2u);
+  for (const json& point : global.at("neutral")) {
+    EXPECT_LT(point.at("residual"), 1e-6);
+    EXPECT_EQ(point.at("mu_cr"), point.at("modes")[0].at("mu"));
+    // The spectrum of the full operator at mu_cr has i omega in it, and nothing that grows.
+    EXPECT_LT(point.at("distance"), 1e-7);
+    EXPECT_LT(point.at("largest_growth"), 1e-7);
+    EXPECT_GT(point.at("modes")[0].at("growth_by_mu"), 0);
+  }
+  EXPECT_GT(global.at("neutral")[0].at("mu_cr"), global.at("neutral")[1].at("mu_cr"));
+  const CsvTable table(results() + "/global_neutral.csv");
+  ASSERT_EQ(table.rows(), 2u);
+  EXPECT_EQ(table.number(1, table.column("mu_cr")),
+            global.at("neutral")[1].at("mu_cr").get<double>());
+  EXPECT_GE(CsvTable(results() + "/global_neutral_branches.csv").rows(), 2u);
+  EXPECT_TRUE(std::filesystem::exists(results() + "/global_neutral.png"));
+}
+
+TEST_F(ModesGlobal, MapsTheGrowthRateOfTheLeadingModeOfTheFullOperator) {
+  const std::string file = case_file(
+      "n_modes = 1\n[modes.global.map]\nmu = [0.2, 0.3]\nK_B = [1e-3, 2e-3]\nomega = [1, 10]\n");
+  const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  const json global = json::parse(outcome.out).at("global");
+  EXPECT_EQ(global.at("map").at("points"), 4);
+  EXPECT_LT(global.at("map").at("lambda_error"), 1e-3);
+  const CsvTable table(results() + "/global_map.csv");
+  ASSERT_EQ(table.rows(), 4u);
+  constexpr std::size_t at_the_flag = 2;
+  ASSERT_EQ(table.number(at_the_flag, table.column("mu")), 0.3);
+  ASSERT_EQ(table.number(at_the_flag, table.column("K_B")), 1e-3);
+  EXPECT_NEAR(*table.number(at_the_flag, table.column("growth")),
+              global.at("modes")[0].at("growth").get<double>(), 1e-4);
+  EXPECT_NEAR(*table.number(at_the_flag, table.column("omega")),
+              global.at("modes")[0].at("omega").get<double>(), 1e-4);
+  EXPECT_TRUE(std::filesystem::exists(results() + "/global_map.png"));
+}
+
+TEST_F(ModesGlobal, NamesWhatIsWrongWithANeutralCurve) {
+  const Outcome outcome = pennon({"modes",
+                                  case_file("[modes.global.neutral]\nRe = [300, 200]\nk_x = [0, "
+                                            "1]\nmu = [2, 1]\nomega = [1]\n"),
+                                  "--output", results()});
+  EXPECT_EQ(outcome.status, bad_input);
+  EXPECT_THAT(outcome.err, HasSubstr("modes.global.neutral.Re must list its values in increasing"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("needs one of Re, k_x, K_B, nu_s as a range or a list; it has 2"));
+  EXPECT_THAT(outcome.err, HasSubstr("modes.global.neutral.mu = [2, 1] is empty"));
+  EXPECT_THAT(outcome.err, HasSubstr("modes.global.neutral.omega holds 1 numbers"));
 }
 
 TEST_F(ModesGlobal, NamesWhatIsWrongWithTheInput) {

@@ -1,0 +1,59 @@
+/// Neutral modes of flow and flag: those with lambda = i omega, which neither grow nor decay.
+///
+/// On the axis of the angular frequency the equations of the flag,
+///
+///   [lambda^2 mu m + K - F(lambda)] zeta = 0        (aerodynamic_matrix.hpp),
+///
+/// are linear in the mass ratio: mu is an eigenvalue of
+///
+///   [K - F(i omega)] zeta = mu omega^2 m zeta.
+///
+/// It is complex for most omega. A neutral mode is where it is real: a zero of one real function of
+/// one real variable, found by Newton's method with the exact slope; psi the mode from the left,
+///
+///   d mu/d omega = psi^H [-i F'(i omega) - 2 omega mu m] zeta / (omega^2 psi^H m zeta).
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "modes/global/flag_operator.hpp"
+
+namespace pennon::modes::global {
+
+/// F at one lambda and, as a product, its derivative there.
+struct Response {
+  Eigen::MatrixXcd F;
+  std::function<Eigen::VectorXcd(const Eigen::VectorXcd& zeta)> derivative;
+};
+/// A response is good until the next one is asked for.
+using Aerodynamics = std::function<Response(std::complex<double> lambda)>;
+
+struct Interval {
+  double low, high;
+  bool contains(double x) const { return low <= x && x <= high; }
+};
+
+struct NeutralMode {
+  double omega, mu;
+  std::complex<double>
+      by_mu;              ///< d lambda/d mu: the mode grows above mu where its real part is > 0
+  Eigen::VectorXcd zeta;  ///< at the free nodes, of length 1
+  int evaluations = 0;    ///< of F that Newton's method took
+};
+
+/// Newton's method from a frequency and a mass ratio nearby; `flag` with mu = 1. None where it does
+/// not converge to a neutral mode with omega > 0 and mu > 0.
+std::optional<NeutralMode> neutral_mode(const Aerodynamics&, const FlagOperator& flag, double omega,
+                                        double mu);
+
+/// All neutral modes with frequency and mass ratio in the intervals, the smallest mu first:
+/// Newton's method from each frequency of a fine grid where a zero is in reach. `F` is asked for
+/// many times.
+std::vector<NeutralMode> neutral_modes(const Aerodynamics& F, const FlagOperator& flag,
+                                       const Interval& omega, const Interval& mu);
+
+}  // namespace pennon::modes::global

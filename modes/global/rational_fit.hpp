@@ -1,0 +1,42 @@
+/// A rational function through samples of a matrix that depends on lambda, all entries with the
+/// same weights: the set-valued AAA algorithm (Nakatsukasa, Sete & Trefethen 2018; Lietaert,
+/// Meerbergen, Perez & Vandereycken 2022) in barycentric form,
+///
+///   r(lambda) = sum_j w_j F_j / (lambda - lambda_j)  /  sum_j w_j / (lambda - lambda_j).
+///
+/// Support points are taken one by one where the error is largest; the weights make the linearised
+/// residual at the other samples least.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+namespace pennon::modes::global {
+
+struct MatrixSample {
+  std::complex<double> lambda;
+  Eigen::MatrixXcd F;
+};
+
+class RationalFit {
+ public:
+  /// Adds support points until the largest error at a sample, in Frobenius' norm over the largest
+  /// norm of a sample, is below `tolerance`. Precondition: two samples or more, no two at one
+  /// lambda.
+  RationalFit(const std::vector<MatrixSample>& samples, double tolerance);
+
+  Eigen::MatrixXcd operator()(std::complex<double> lambda) const;
+  Eigen::MatrixXcd derivative(std::complex<double> lambda) const;
+
+  std::size_t support_points() const { return support_.size(); }
+  /// At the samples, as the tolerance counts it. What it is elsewhere they cannot say.
+  double error_at_samples() const { return error_; }
+
+ private:
+  std::vector<MatrixSample> support_;
+  Eigen::VectorXcd weights_;
+  double error_ = 0;
+};
+
+}  // namespace pennon::modes::global

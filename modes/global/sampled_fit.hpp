@@ -1,0 +1,31 @@
+/// F(lambda) of the fluid (aerodynamic_matrix.hpp) as a rational function, from as few samples on
+/// the axis of the angular frequency as an error asks for.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "modes/global/neutral.hpp"
+#include "modes/global/rational_fit.hpp"
+
+namespace pennon::modes::global {
+
+struct SampledFit {
+  RationalFit fit;
+  /// The largest of |F - fit| over the largest |F|, Frobenius' norms, at the last few samples when
+  /// they were not part of the fit: what the fit is worth between samples.
+  double error;
+  std::size_t samples;
+
+  Aerodynamics aerodynamics() const;
+};
+
+using SampleOf = std::function<Eigen::MatrixXcd(std::complex<double> lambda)>;
+
+/// Samples at Chebyshev's points of the interval, then one by one in the middle of two samples,
+/// where the last two fits differ most, until `tolerance` holds at three new samples in turn.
+/// Throws SolverError where it does not within `most_samples`.
+SampledFit sampled_fit(const SampleOf&, const Interval& omega, double tolerance,
+                       std::size_t most_samples);
+
+}  // namespace pennon::modes::global

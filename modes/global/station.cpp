@@ -1,0 +1,70 @@
+#include "modes/global/station.hpp"
+
+#include "dns/wall_faces.hpp"
+
+namespace pennon::modes::global {
+
+Station::Station(const OGrid& grid, BaseFlow its_base, FlagOperator its_flag, double k_x)
+    : base(std::move(its_base)),
+      flag(std::move(its_flag)),
+      coupled(coupled_operator(grid, base, flag, k_x)),
+      F(coupled, flag.stiffness) {}
+
+Aerodynamics Station::aerodynamics() {
+  return [this](std::complex<double> lambda) {
+    return Response{F.at(lambda),
+                    [this](const Eigen::VectorXcd& zeta) { return F.derivative(zeta); }};
+  };
+}
+
+CoupledOperator Station::with_mass_ratio(double mu) const {
+  CoupledOperator scaled = coupled;
+  for (Eigen::Index node = 0; node < scaled.flag_nodes; ++node)
+    scaled.B.coeffRef(scaled.zeta_t(node), scaled.zeta_t(node)) *= mu;
+  return scaled;
+}
+
+Stations::Stations(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
+                   CurveParameter parameter)
+    : parameter_(parameter),
+      grid_(grid_of(settings)),
+      chord_(dns::coupled_chord(grid_)),
+      edge_(flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned),
+      material_{1, flag.K_B, flag.K_S, flag.nu_s, flag.damping},
+      flow_{.Re = flow.Re, .U = flow.U, .tau = 2 * *settings.dt / 3},
+      k_x_(*settings.k_x),
+      spanwise_nodes_(static_cast<int>(settings.n_x)) {}
+
+void Stations::move_to(double value) {
+  switch (parameter_) {
+    case CurveParameter::Re:
+      flow_.Re = value;
+      break;
+    case CurveParameter::k_x:
+      k_x_ = value;
+      break;
+    case CurveParameter::K_B:
+      material_.K_B = value;
+      break;
+    case CurveParameter::nu_s:
+      material_.nu_s = value;
+      break;
+  }
+  const int components = k_x_ != 0 ? 3 : 2;
+  if (!base_)
+    base_ = base_flow(grid_, flow_, components);
+  else if (base_->parameters.Re != flow_.Re || base_->q.components() != components)
+    base_ = base_flow(grid_, flow_, components, *base_);
+}
+
+FlagOperator Stations::flag_at(double value) {
+  move_to(value);
+  return flag_operator(chord_, edge_, material_, base_->forces, k_x_, spanwise_nodes_);
+}
+
+Station Stations::at(double value) {
+  FlagOperator flag = flag_at(value);
+  return {grid_, *base_, std::move(flag), k_x_};
+}
+
+}  // namespace pennon::modes::global
