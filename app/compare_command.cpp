@@ -51,6 +51,8 @@ Row global_row(const Case& the_case, std::int64_t waves, const OutputFolder& fol
   const auto begin = std::chrono::steady_clock::now();
   modes::global::Settings settings = the_case.global_modes;
   settings.k_x = k_x_of(waves, the_case.flag);
+  settings.n_modes = std::max<std::int64_t>(settings.n_modes, 1);
+  settings.neutral.is_given = settings.map.is_given = false;
   constexpr std::int64_t fewest_nodes = 3;
   if (waves > 0) settings.n_x = std::max(fewest_nodes, the_case.dns.n_x / waves);
   const OutputFolder its_own(folder / fmt::format("global_{}", waves));

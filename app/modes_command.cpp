@@ -79,8 +79,10 @@ std::string text_of_global(const nlohmann::ordered_json& found) {
 nlohmann::ordered_json global_modes(const Case& the_case, const OutputFolder& folder) {
   const modes::global::Problem problem(the_case.flag, the_case.flow, the_case.global_modes);
   nlohmann::ordered_json found = solve_global_modes(problem, folder);
-  write_global_tables(found, folder);
-  analysis::plot(folder / "global_modes.h5");
+  if (!found["global"]["modes"].empty()) {
+    write_global_tables(found, folder);
+    analysis::plot(folder / "global_modes.h5");
+  }
   return found;
 }
 
