@@ -101,8 +101,8 @@ Figure trailing_edge_over_Re() {
   return figure;
 }
 
-// Figure 26: the four energies of the case of Table 2 on two grids.
-Figure energies_on_two_grids() {
+// Figure 26: the four energies of the case of Table 2 on three grids.
+Figure energies_on_three_grids() {
   Figure figure;
   figure.title = "Energies per span of the case of Table 2";
   figure.x = {"{/:Italic tV/L}", false, 0, 9};
@@ -111,7 +111,8 @@ Figure energies_on_two_grids() {
     const char *name, *label;
     analysis::Stroke stroke;
   };
-  constexpr std::array<Grid, 2> grids = {{{"table2", "60 x 120", analysis::Stroke::solid},
+  constexpr std::array<Grid, 3> grids = {{{"table2_fine", "80 x 160", analysis::Stroke::solid},
+                                          {"table2", "60 x 120", analysis::Stroke::dotted},
                                           {"table2_coarse", "40 x 80", analysis::Stroke::dashed}}};
   const std::array<std::pair<const char*, const char*>, 4> energies = {
       {{"fluid", "fluid, kinetic"},
@@ -133,7 +134,7 @@ void draw_all(char** argv) {
   draw(growth_of_a_wave(), folder / "coupled-growth-over-k_x");
   draw(passes(), folder / "coupled-passes");
   draw(trailing_edge_over_Re(), folder / "coupled-figure25");
-  draw(energies_on_two_grids(), folder / "coupled-figure26");
+  draw(energies_on_three_grids(), folder / "coupled-figure26");
 }
 
 }  // namespace
