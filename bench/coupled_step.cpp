@@ -1,8 +1,7 @@
 // A step of flag and flow together in full flapping: case C2D of Table 1 at t = 5, in two
 // dimensions, and the same flow with a small wave along a span. Counters: milliseconds of a step,
 // in all and by phase; passes and iterations; memory. In two dimensions also what a step costs
-// without some of its physics. On one rank; docs/accuracy.md
-// times two by a run.
+// without some of its physics. On one rank; docs/accuracy.md times two by a run.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
