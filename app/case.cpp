@@ -20,7 +20,8 @@ modes::global::Discretisation discretisation_of(const dns::Settings& settings) {
           .R = fluid.R,
           .wall_spacing = fluid.wall_spacing,
           .wake_clustering = fluid.wake_clustering,
-          .dt = settings.dt};
+          .dt = settings.dt,
+          .convection = fluid.convection};
 }
 
 }  // namespace

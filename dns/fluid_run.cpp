@@ -34,12 +34,6 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-Upwinding upwinding_of(Convection convection) {
-  if (convection == Convection::central) return upwinding::central;
-  return convection == Convection::third_order ? upwinding::third_order
-                                               : upwinding::kawamura_kuwahara;
-}
-
 Span span_of(const Settings& settings, const FlagParameters& flag) {
   return flag.gamma ? Span(static_cast<int>(settings.n_x), *flag.gamma) : Span(1, 1.0);
 }

@@ -12,6 +12,7 @@
 
 #include "common/case_reader.hpp"
 #include "common/parameters.hpp"
+#include "dns/convection.hpp"
 #include "dns/coupling_settings.hpp"
 #include "dns/flag_mesh.hpp"
 #include "dns/flag_stepper.hpp"
@@ -81,8 +82,6 @@ struct MotionSettings {
   double ramp = 0;            ///< time over which the amplitude rises
   std::int64_t n = 0, m = 1;  ///< of the mode: waves along the span, rank along the chord
 };
-
-enum class Convection { kawamura_kuwahara, third_order, central };
 
 struct FluidSettings {
   std::int64_t n_rho = 60;

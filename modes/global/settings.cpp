@@ -48,6 +48,9 @@ void declare(Schema& schema, Settings& settings) {
             "time step of the simulation whose modes these are, in L/V: it enters the discrete "
             "continuity equation",
             not_negative, false, "dns.dt"})
+      .key({"convection",
+            choice(settings.convection, {"kawamura_kuwahara", "third_order", "central"}),
+            "as dns.fluid.convection", any_sign, false, "dns.fluid.convection"})
       .key(
           {"adjoint", &settings.adjoint,
            "find the adjoint modes too, and what a little more of mu, K_B, nu_s or tension does to "
@@ -94,6 +97,7 @@ Settings resolve(Settings settings, const FlagParameters& flag, const Discretisa
   settings.wall_spacing = settings.wall_spacing.value_or(dns.wall_spacing);
   settings.wake_clustering = settings.wake_clustering.value_or(dns.wake_clustering);
   settings.dt = settings.dt.value_or(dns.dt);
+  settings.convection = settings.convection.value_or(dns.convection);
   return settings;
 }
 

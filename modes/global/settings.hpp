@@ -7,6 +7,7 @@
 
 #include "common/case_reader.hpp"
 #include "common/parameters.hpp"
+#include "dns/convection.hpp"
 #include "modes/global/neutral_settings.hpp"
 
 namespace pennon::modes::global {
@@ -20,6 +21,7 @@ struct Settings {
   std::optional<double> k_x;
   std::int64_t n_rho = 0, n_theta = 0, n_x = 0;  ///< 0: not given
   std::optional<double> R, wall_spacing, wake_clustering, dt;
+  std::optional<dns::Convection> convection;
   bool adjoint = false;
   NeutralSettings neutral;
   MapSettings map;
@@ -34,6 +36,7 @@ void check(const Settings&, const FlagParameters&, bool has_flow, Faults&);
 struct Discretisation {
   std::int64_t n_rho, n_theta, n_x;
   double R, wall_spacing, wake_clustering, dt;
+  dns::Convection convection = dns::Convection::kawamura_kuwahara;
 };
 
 /// With every number: k_x is 2 pi/gamma without a value, and 0 in two dimensions.

@@ -31,7 +31,7 @@ Stations::Stations(const FlagParameters& flag, const FlowParameters& flow, const
       chord_(dns::coupled_chord(grid_)),
       edge_(flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned),
       material_{1, flag.K_B, flag.K_S, flag.nu_s, flag.damping},
-      flow_{.Re = flow.Re, .U = flow.U, .tau = 2 * *settings.dt / 3},
+      flow_(plane_parameters(flow, settings)),
       k_x_(*settings.k_x),
       spanwise_nodes_(static_cast<int>(settings.n_x)) {}
 

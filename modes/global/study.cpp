@@ -66,6 +66,13 @@ std::vector<Complex> targets_of(const std::vector<double>& pairs) {
 
 }  // namespace
 
+PlaneParameters plane_parameters(const FlowParameters& flow, const Settings& settings) {
+  return {.Re = flow.Re,
+          .U = flow.U,
+          .tau = 2 * *settings.dt / 3,
+          .upwinding = dns::upwinding_of(*settings.convection)};
+}
+
 OGrid grid_of(const Settings& settings) try {
   return OGrid({static_cast<int>(settings.n_rho), static_cast<int>(settings.n_theta), *settings.R,
                 *settings.wall_spacing, *settings.wake_clustering});
@@ -94,7 +101,7 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
            const EigenSolver& solve) {
   const OGrid grid = grid_of(settings);
   const double k_x = *settings.k_x;
-  const PlaneParameters parameters{.Re = flow.Re, .U = flow.U, .tau = 2 * *settings.dt / 3};
+  const PlaneParameters parameters = plane_parameters(flow, settings);
   StopWatch watch;
   Result result{.flag = flag,
                 .base = base_flow(grid, parameters, k_x != 0 ? 3 : 2),

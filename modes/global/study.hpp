@@ -42,6 +42,9 @@ struct Result {
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
 };
 
+/// The flow in a plane that the settings, which are resolved, ask for.
+PlaneParameters plane_parameters(const FlowParameters&, const Settings&);
+
 /// Throws InputError where the settings, which are resolved, make no grid.
 OGrid grid_of(const Settings&);
 

@@ -241,8 +241,10 @@ TEST_F(ModesGlobal, PassesOnWhatItsProgramSays) {
 class StartAsAGlobalMode : public ModesGlobal {
  protected:
   // The modes of the case, and the case of the run.
-  std::string run_file(const std::string& target, const std::string& flag) {
-    const std::string file = case_file("n_modes = 1\ntarget = " + target + "\nn_x = 4\n", flag);
+  std::string run_file(const std::string& target, const std::string& flag,
+                       const std::string& more = "") {
+    const std::string file =
+        case_file("n_modes = 1\ntarget = " + target + "\nn_x = 4\n" + more, flag);
     const Outcome outcome = pennon({"modes", file, "--quiet", "--output", results("modes")});
     EXPECT_EQ(outcome.status, done) << outcome.err;
     return test::write_text(folder_ / "run.toml",
@@ -250,8 +252,9 @@ class StartAsAGlobalMode : public ModesGlobal {
                                 results("modes") + "/global_modes.h5\"\nmode_amplitude = 1e-4\n")
         .string();
   }
-  void expect_growth(const std::string& target, const std::string& flag) {
-    const std::string file = run_file(target, flag);
+  void expect_growth(const std::string& target, const std::string& flag,
+                     const std::string& more = "") {
+    const std::string file = run_file(target, flag, more);
     const CsvTable modes(results("modes") + "/global_modes.csv");
     const double sigma = modes.numbers("growth").front(), omega = modes.numbers("omega").front();
     const Outcome run = pennon({"dns", file, "--quiet", "--set", "dns.t_end=5", "--set",
@@ -278,6 +281,10 @@ TEST_F(StartAsAGlobalMode, GrowsAsItFromTheFirstStep) {
 
 TEST_F(StartAsAGlobalMode, DecaysAsAWaveAlongTheSpan) {
   expect_growth("[-0.1, 2.8]", "damping = 0.02\ngamma = 2\n");
+}
+
+TEST_F(StartAsAGlobalMode, GrowsAsItWithOtherDifferences) {
+  expect_growth("[0.44, 2.66]", "damping = 0.02\n", "[dns.fluid]\nconvection = \"third_order\"\n");
 }
 
 TEST_F(StartAsAGlobalMode, RefusesAnotherWave) {
