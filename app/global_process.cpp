@@ -1,11 +1,13 @@
 #include "app/global_process.hpp"
 
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -47,9 +49,11 @@ ProcessEnd run_program(const std::filesystem::path& program, const std::filesyst
   if (pipe(pipe_ends.data()) != 0) fail("no pipe to pennon-global");
   const std::array<const char*, 4> arguments = {program.c_str(), first.c_str(), second.c_str(),
                                                 nullptr};
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) fail("pennon-global cannot be started");
   if (child == 0) {
+    // It ends with the one that waits for it, even where that is killed.
+    if (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 || getppid() != parent) _exit(127);
     dup2(pipe_ends[1], STDERR_FILENO);
     close(pipe_ends[0]);
     close(pipe_ends[1]);
