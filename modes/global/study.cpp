@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,10 @@ using Complex = std::complex<double>;
 
 // Where the leading modes are sought without a target. Those that do not swing belong to the wake.
 const std::vector<Complex> usual_targets = {{0.5, 0}, {0.5, 2}, {0.5, 5}, {0.5, 8}, {0.5, 11}};
+
+// A target on an eigenvalue leaves little of the others in the shifted and inverted operator: they
+// are sought once more from so far beside it.
+constexpr double beside_target = 1e-3;
 
 class StopWatch {
  public:
@@ -89,8 +94,16 @@ Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
   if (are_given) targets = targets_of(settings.target);
   Spectrum spectrum;
   spectrum.requested = are_given ? n_modes * static_cast<int>(targets.size()) : n_modes;
-  for (const Complex& target : targets)
-    merge(solve(coupled, target, n_modes, settings.adjoint).pairs, spectrum);
+  for (const Complex& target : targets) {
+    Spectrum found = solve(coupled, target, n_modes, settings.adjoint);
+    const bool is_on_one = std::ranges::any_of(found.pairs, [&](const Eigenpair& pair) {
+      return std::abs(pair.lambda - target) < beside_target;
+    });
+    const bool are_all = found.pairs.size() >= static_cast<std::size_t>(n_modes);
+    merge(std::move(found.pairs), spectrum);
+    if (is_on_one && !are_all)
+      merge(solve(coupled, target + beside_target, n_modes, settings.adjoint).pairs, spectrum);
+  }
   if (!are_given && spectrum.pairs.size() > static_cast<std::size_t>(n_modes))
     spectrum.pairs.resize(static_cast<std::size_t>(n_modes));
   biorthogonalise(coupled.A, coupled.B, spectrum.pairs);

@@ -1,4 +1,5 @@
 /// pennon modes of a case with [modes.global], as a user runs it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -66,6 +67,21 @@ TEST_F(ModesGlobal, FindsTheLeadingModesWithoutATarget) {
   EXPECT_NEAR(modes[0].at("omega"), 2.66, 0.1);
   for (std::size_t k = 1; k < modes.size(); ++k)
     EXPECT_LE(modes[k].at("growth"), modes[k - 1].at("growth"));
+}
+
+TEST_F(ModesGlobal, FindsAllModesNextToATargetThatIsOne) {
+  const auto modes = [&](const std::string& target) {
+    const std::string file = case_file("n_modes = 4\ntarget = " + target + "\n");
+    const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+    EXPECT_EQ(outcome.status, done) << outcome.err;
+    return json::parse(outcome.out).at("global").at("modes");
+  };
+  const json beside = modes("[0.4, 2.6]");
+  const json on_one = modes(fmt::format("[{}, {}]", beside.at(0).at("growth").get<double>(),
+                                        beside.at(0).at("omega").get<double>()));
+  ASSERT_EQ(on_one.size(), 4u);
+  for (const json& mode : on_one) EXPECT_LT(mode.at("residual"), 1e-8);
+  EXPECT_NEAR(on_one.at(0).at("growth"), beside.at(0).at("growth"), 1e-9);
 }
 
 TEST_F(ModesGlobal, TakesTheWaveOfTheSpan) {
