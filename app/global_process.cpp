@@ -1,6 +1,7 @@
 #include "app/global_process.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,10 +31,18 @@ struct ProcessEnd {
   throw FileError(fmt::format("{}: {}", what, std::strerror(errno)));
 }
 
-std::string read_all(int pipe_end) {
+// What the child says until its end. Passes an interrupt on, again and again until the child obeys:
+// a second one ends it at once.
+std::string read_all(int pipe_end, pid_t child) {
   std::string text;
   std::array<char, 4096> buffer{};
+  constexpr int patience = 200;  // milliseconds
   for (;;) {
+    pollfd waiting{pipe_end, POLLIN, 0};
+    if (poll(&waiting, 1, patience) <= 0) {
+      if (is_interrupted()) kill(child, SIGTERM);
+      continue;
+    }
     const ssize_t count = read(pipe_end, buffer.data(), buffer.size());
     if (count > 0)
       text.append(buffer.data(), static_cast<std::size_t>(count));
@@ -62,7 +71,7 @@ ProcessEnd run_program(const std::filesystem::path& program, const std::filesyst
   }
   close(pipe_ends[1]);
   ProcessEnd end;
-  end.errors = read_all(pipe_ends[0]);
+  end.errors = read_all(pipe_ends[0], child);
   close(pipe_ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "common/csv.hpp"
 #include "common/hdf5.hpp"
@@ -251,6 +254,22 @@ TEST_F(ModesGlobal, PassesOnWhatItsProgramSays) {
   EXPECT_EQ(outcome.status, bad_input);
   EXPECT_THAT(outcome.err,
               StartsWith("modes.global: no grid: dns.wall_spacing = 1e-06 does not reach"));
+}
+
+// On a grid on which the whole takes ten seconds and more.
+TEST_F(ModesGlobal, EndsSoonAfterATermination) {
+  const std::string file = case_file("n_modes = 6\nn_rho = 100\nn_theta = 200\n");
+  const pid_t child = start_in_background({"modes", file, "--output", results()});
+  while (!std::filesystem::exists(results() + "/global_problem.toml") &&
+         waitpid(child, nullptr, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(child, SIGTERM);
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome = finish(child);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("stopped by SIGTERM"));
+  EXPECT_FALSE(std::filesystem::exists(results() + "/global_modes.json"));
 }
 
 // The analysis of a run that starts as the first of the modes.
