@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <sstream>
 
 #include "analysis/run_history.hpp"
 #include "common/errors.hpp"
