@@ -14,7 +14,9 @@
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
 #include "common/hdf5.hpp"
+#include "lsa/axis_attributes.hpp"
 #include "lsa/curve.hpp"
+#include "lsa/marks.hpp"
 #include "lsa/outcomes.hpp"
 
 namespace pennon::app {
@@ -113,25 +115,17 @@ void write_local_theory(const Case& the_case, const std::vector<double>& values,
 // number of the case.
 void write_marks(const Case& the_case, CurveParameter over, hdf5::Writer& file) {
   if (!the_case.lsa.marks.is_given) return;
-  std::vector<double> x, y, unstable;
+  lsa::Marks marks;
   for (const lsa::Outcome& outcome : lsa::read_outcomes(the_case.lsa.marks.table)) {
     constexpr double same = 1e-9;
     const bool is_of_this_wave = std::abs(outcome.k_x() - *the_case.global_modes.k_x) < same;
     if (outcome.U != 0) continue;
     if (over == CurveParameter::k_x)
-      x.push_back(outcome.k_x());
+      marks.add(outcome.k_x(), outcome.mu, outcome.is_unstable);
     else if (over == CurveParameter::Re && is_of_this_wave)
-      x.push_back(the_case.flow.Re);
-    else
-      continue;
-    y.push_back(outcome.mu);
-    unstable.push_back(outcome.is_unstable ? 1 : 0);
+      marks.add(the_case.flow.Re, outcome.mu, outcome.is_unstable);
   }
-  if (x.empty()) return;
-  file.write("/marks/x", {x.size()}, x);
-  file.write("/marks/y", {y.size()}, y);
-  file.write("/marks/unstable", {unstable.size()}, unstable,
-             {{"meaning", "1: unstable in the table of outcomes, 0: stable"}});
+  lsa::write(marks, file);
 }
 
 }  // namespace
@@ -151,11 +145,7 @@ void write_neutral_curve(const Json& global, const Case& the_case, const OutputF
   {
     hdf5::Writer file(path);
     file.attributes({{"kind", "global_neutral"}, {"title", settings.title}});
-    file.write("/x", {x.size()}, x,
-               {{"name", name(axis)},
-                {"meaning", meaning(axis)},
-                {"label", label(axis)},
-                {"scale", sweep(settings).scale == Scale::log ? "log" : "linear"}});
+    file.write("/x", {x.size()}, x, attributes(axis, sweep(settings).scale));
     file.write(
         "/mu_cr", {mu.size()}, mu,
         {{"meaning", "critical mass ratio of the global modes"}, {"label", "{/:Italic μ}_{cr}"}});
@@ -191,16 +181,8 @@ void write_growth_map(const Json& map, const Case& the_case, const OutputFolder&
   {
     hdf5::Writer file(path);
     file.attributes({{"kind", "global_map"}, {"title", settings.title}, {"picture", "growth"}});
-    const auto write_axis = [&](const std::string& where, lsa::Axis its, const Sweep& sweep,
-                                const std::vector<double>& values) {
-      file.write(where, {values.size()}, values,
-                 {{"name", name(its)},
-                  {"meaning", meaning(its)},
-                  {"label", label(its)},
-                  {"scale", sweep.scale == Scale::log ? "log" : "linear"}});
-    };
-    write_axis("/x", axis, sweep(settings), x);
-    write_axis("/y", lsa::Axis::mu, *settings.mu, mu);
+    file.write("/x", {x.size()}, x, attributes(axis, sweep(settings).scale));
+    file.write("/y", {mu.size()}, mu, attributes(lsa::Axis::mu, settings.mu->scale));
     file.write("/fields/growth", {mu.size(), x.size()}, growth,
                {{"name", "growth"},
                 {"meaning", "growth rate of the global mode that grows most, in V/L"},

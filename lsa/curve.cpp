@@ -1,4 +1,5 @@
 #include "lsa/curve.hpp"
+#include "lsa/axis_attributes.hpp"
 
 #include <fmt/format.h>
 
@@ -61,11 +62,7 @@ void write_csv(const Curve& curve, const std::filesystem::path& path) {
 
 void write_lines(const Curve& curve, hdf5::Writer& file) {
   const Quantity& shown = quantity(curve.quantity);
-  file.write("/x", {curve.x.size()}, curve.x,
-             {{"name", name(curve.axis)},
-              {"meaning", meaning(curve.axis)},
-              {"label", label(curve.axis)},
-              {"scale", curve.scale == Scale::log ? "log" : "linear"}});
+  file.write("/x", {curve.x.size()}, curve.x, attributes(curve.axis, curve.scale));
   std::vector<double> values;
   for (const auto& row : curve.values) values.insert(values.end(), row.begin(), row.end());
   file.write("/values", {curve.family.size(), curve.x.size()}, values,

@@ -1,4 +1,5 @@
 #include "lsa/map.hpp"
+#include "lsa/axis_attributes.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -180,15 +181,6 @@ void write_neutral(hdf5::Writer& file, const std::vector<Polyline>& lines, const
   write_file(folder / "neutral.csv", table.text());
 }
 
-void write_axis(hdf5::Writer& file, const std::string& where, Axis axis, Scale scale,
-                const std::vector<double>& values) {
-  file.write(where, {values.size()}, values,
-             {{"name", name(axis)},
-              {"meaning", meaning(axis)},
-              {"label", label(axis)},
-              {"scale", scale == Scale::log ? "log" : "linear"}});
-}
-
 }  // namespace
 
 MapAxes axes_of(const MapSettings& settings) {
@@ -216,8 +208,8 @@ MapSummary compute_map(const MapSettings& settings, const Point& point, const Th
   const auto begin = std::chrono::steady_clock::now();
   hdf5::Writer file(folder / "map.h5");
   file.attributes({{"kind", "lsa_map"}, {"title", settings.title}, {"picture", settings.quantity}});
-  write_axis(file, "/x", axes.x_axis, axes.x_scale, axes.x);
-  write_axis(file, "/y", axes.y_axis, axes.y_scale, axes.y);
+  file.write("/x", {axes.x.size()}, axes.x, attributes(axes.x_axis, axes.x_scale));
+  file.write("/y", {axes.y.size()}, axes.y, attributes(axes.y_axis, axes.y_scale));
   declare_fields(file, settings, axes);
   AddedMassCache cache(theory);
   if (cache.is_needed()) fill(cache, axes, point);

@@ -17,6 +17,20 @@ std::optional<double> coordinate(const Outcome& outcome, Axis axis) {
   }
 }
 
+void Marks::add(double along_x, double along_y, bool is_unstable) {
+  x.push_back(along_x);
+  y.push_back(along_y);
+  unstable.push_back(is_unstable ? 1 : 0);
+}
+
+void write(const Marks& marks, hdf5::Writer& file) {
+  if (marks.x.empty()) return;
+  file.write("/marks/x", {marks.x.size()}, marks.x);
+  file.write("/marks/y", {marks.y.size()}, marks.y);
+  file.write("/marks/unstable", {marks.unstable.size()}, marks.unstable,
+             {{"meaning", "1: unstable in the table of outcomes, 0: stable"}});
+}
+
 void write_marks(hdf5::Writer& file, const std::vector<Outcome>& outcomes, Axis x,
                  const std::string& y, bool cross_flow) {
   std::optional<Axis> y_axis;
@@ -24,20 +38,14 @@ void write_marks(hdf5::Writer& file, const std::vector<Outcome>& outcomes, Axis 
   for (std::size_t i = 0; i < axis_count; ++i)
     if (name(static_cast<Axis>(i)) == y) y_axis = static_cast<Axis>(i);
   if (!y_axis) return;
-  std::vector<double> x_of, y_of, unstable;
+  Marks marks;
   for (const Outcome& outcome : outcomes) {
     const auto along_x = coordinate(outcome, x);
     const auto along_y = coordinate(outcome, *y_axis);
     if (!along_x || !along_y || (outcome.U != 0 && !cross_flow)) continue;
-    x_of.push_back(*along_x);
-    y_of.push_back(*along_y);
-    unstable.push_back(outcome.is_unstable ? 1 : 0);
+    marks.add(*along_x, *along_y, outcome.is_unstable);
   }
-  if (x_of.empty()) return;
-  file.write("/marks/x", {x_of.size()}, x_of);
-  file.write("/marks/y", {y_of.size()}, y_of);
-  file.write("/marks/unstable", {unstable.size()}, unstable,
-             {{"meaning", "1: unstable in the table of outcomes, 0: stable"}});
+  write(marks, file);
 }
 
 }  // namespace pennon::lsa

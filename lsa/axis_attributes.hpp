@@ -1,0 +1,18 @@
+/// How files name the values of a parameter that a curve or map varies.
+#pragma once
+
+#include "common/hdf5.hpp"
+#include "common/sweep.hpp"
+#include "lsa/axes.hpp"
+
+namespace pennon::lsa {
+
+/// name, meaning, label and scale: "log" or "linear".
+inline hdf5::Attributes attributes(Axis axis, Scale scale) {
+  return {{"name", name(axis)},
+          {"meaning", meaning(axis)},
+          {"label", label(axis)},
+          {"scale", scale == Scale::log ? "log" : "linear"}};
+}
+
+}  // namespace pennon::lsa
