@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "app/run_of_case.hpp"
 #include "common/atomic_file.hpp"
 #include "common/csv.hpp"
+#include "common/stop_watch.hpp"
 #include "lsa/settings.hpp"
 
 namespace pennon::app {
@@ -27,27 +27,23 @@ struct Row {
   double wall_seconds = 0;
 };
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 double k_x_of(std::int64_t waves, const FlagParameters& flag) {
   return flag.gamma ? 2 * std::numbers::pi * static_cast<double>(waves) / *flag.gamma : 0;
 }
 
 Row local_row(const Case& the_case, std::int64_t waves) {
-  const auto begin = std::chrono::steady_clock::now();
+  const StopWatch watch;
   lsa::Point point = lsa::point_of(the_case.flag, the_case.flow, the_case.lsa);
   point.k_x = k_x_of(waves, the_case.flag);
   const lsa::Stability found = lsa::solve(point, the_case.lsa.theory);
   Row row{"local", waves, found.growth, found.frequency, found.is_unstable(), 0};
-  row.wall_seconds = seconds_since(begin);
+  row.wall_seconds = watch.seconds();
   return row;
 }
 
 // The mode that grows most, of a flag with as many spanwise nodes as the simulation's.
 Row global_row(const Case& the_case, std::int64_t waves, const OutputFolder& folder) {
-  const auto begin = std::chrono::steady_clock::now();
+  const StopWatch watch;
   modes::global::Settings settings = the_case.global_modes;
   settings.k_x = k_x_of(waves, the_case.flag);
   settings.n_modes = std::max<std::int64_t>(settings.n_modes, 1);
@@ -59,9 +55,8 @@ Row global_row(const Case& the_case, std::int64_t waves, const OutputFolder& fol
   const Json found = solve_global_modes(problem, its_own);
   const Json& leading = found["global"]["modes"].front();
   const double growth = leading["growth"];
-  return {"global",   waves,
-          growth,     std::abs(leading["frequency"].get<double>()),
-          growth > 0, seconds_since(begin)};
+  return {"global",   waves,          growth, std::abs(leading["frequency"].get<double>()),
+          growth > 0, watch.seconds()};
 }
 
 // The linear phase of a run; whether it ended flapping.

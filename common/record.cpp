@@ -5,17 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "common/atomic_file.hpp"
+#include "common/stop_watch.hpp"
 #include "common/version.hpp"
 
 namespace pennon {
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 std::string utc_now() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -38,7 +36,7 @@ long peak_memory_kilobytes() {
 }  // namespace
 
 Record::Timer::~Timer() {
-  record_.add(phase_, seconds_since(begin_));
+  record_.add(phase_, watch_.seconds());
 }
 
 void Record::add(const std::string& phase, double seconds) {
@@ -50,7 +48,7 @@ void Record::add(const std::string& phase, double seconds) {
 }
 
 double Record::wall_seconds() const {
-  return seconds_since(begin_);
+  return watch_.seconds();
 }
 
 void Record::write(const std::filesystem::path& file, int ranks) const {

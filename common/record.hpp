@@ -2,11 +2,12 @@
 /// beside every result as record.json.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "common/stop_watch.hpp"
 
 namespace pennon {
 
@@ -25,7 +26,7 @@ class Record {
    private:
     Record& record_;
     std::string phase_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    StopWatch watch_;
   };
   [[nodiscard]] Timer time(std::string phase) { return {*this, std::move(phase)}; }
 
@@ -38,7 +39,7 @@ class Record {
 
   std::string command_line_;
   std::vector<std::pair<std::string, double>> phases_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  StopWatch watch_;
 };
 
 }  // namespace pennon

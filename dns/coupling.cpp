@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "common/errors.hpp"
 #include "common/ranks.hpp"
+#include "common/stop_watch.hpp"
 
 namespace pennon::dns {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // The grid's wall is led back to the flag, from which it strays by what the extrapolation misses,
 // at this rate, in V/L.
@@ -213,7 +211,7 @@ double Coupling<dim>::root_mean_square(const SegmentValues& jump) const {
 template <int dim>
 void Coupling<dim>::solve_flag(const CoupledState<dim>& state, const NodeVectors<dim>& fixed,
                                const SegmentValues& g, CoupledStepSummary& summary) {
-  const auto begin = Clock::now();
+  const StopWatch watch;
   equation_.loads.node_forces = fixed;
   added_mass_.add_force(g, equation_.loads.node_forces);
   StepSummary newton;
@@ -225,7 +223,7 @@ void Coupling<dim>::solve_flag(const CoupledState<dim>& state, const NodeVectors
                     state.fluid.t, newton.iterations, newton_.last_change()));
   a_ = equation_.mass_factor * (x_ - equation_.inertial);
   summary.flag_iterations += newton.iterations;
-  summary.flag_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+  summary.flag_seconds += watch.seconds();
 }
 
 template <int dim>

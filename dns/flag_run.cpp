@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,7 @@
 #include "common/hdf5.hpp"
 #include "common/interrupt.hpp"
 #include "common/progress.hpp"
+#include "common/stop_watch.hpp"
 #include "dns/flag_statics.hpp"
 #include "dns/flag_stepper.hpp"
 #include "dns/initial_shape.hpp"
@@ -259,12 +259,11 @@ template <int dim>
 RunResult run_in(const Settings& settings, const FlagParameters& parameters,
                  const std::optional<ShapeFunction>& zeta, const std::optional<fs::path>& restart,
                  const OutputFolder& folder, bool shows_progress) {
-  const auto begin = std::chrono::steady_clock::now();
+  const StopWatch watch;
   FlagRun<dim> flag_run(settings, parameters, zeta, folder);
   RunResult result =
       settings.flag.equilibrium ? flag_run.find_rest() : flag_run.advance(restart, shows_progress);
-  result.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.wall_seconds = watch.seconds();
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "common/errors.hpp"
 #include "common/ranks.hpp"
 #include "common/smooth_rise.hpp"
+#include "common/stop_watch.hpp"
 #include "dns/ghosts.hpp"
 #include "dns/packing.hpp"
 
@@ -29,18 +29,6 @@ void combine(double a, const Field<double>& f, double b, const Field<double>& g,
   double* to = sum.values().data();
   for (std::size_t k = 0; k < sum.values().size(); ++k) to[k] = a * from[k] + b * other[k];
 }
-
-class StopWatch {
- public:
-  // Seconds since the last lap.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 

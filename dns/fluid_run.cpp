@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,7 @@
 #include "common/interrupt.hpp"
 #include "common/progress.hpp"
 #include "common/ranks.hpp"
+#include "common/stop_watch.hpp"
 #include "dns/flow_body.hpp"
 #include "dns/fluid_fields.hpp"
 #include "dns/schedule.hpp"
@@ -20,7 +20,6 @@ namespace pennon::dns {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 // Steps change no faster, so that backward differences stay stable.
 constexpr double most_growth = 1.2, most_shrinkage = 0.6;
@@ -29,10 +28,6 @@ constexpr double most_growth = 1.2, most_shrinkage = 0.6;
 constexpr double share_of_first_step = 0.05;
 
 constexpr double slack = 1e-9;  // of a step, for times that are multiples of it but for rounding
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 Span span_of(const Settings& settings, const FlagParameters& flag) {
   return flag.gamma ? Span(static_cast<int>(settings.n_x), *flag.gamma) : Span(1, 1.0);
@@ -116,7 +111,7 @@ class FluidRun {
 
   void advance_by(double dt) {
     const double before = state().t;
-    const auto begin = Clock::now();
+    const StopWatch watch;
     CoupledStepSummary& summary = last_step_;
     try {
       summary = body_->advance(dt);
@@ -127,7 +122,7 @@ class FluidRun {
                                         ? "no checkpoint was written before"
                                         : "the last checkpoint is " + checkpoint_.string()));
     }
-    result_.step_seconds += seconds_since(begin);
+    result_.step_seconds += watch.seconds();
     ++result_.steps;
     ++step_;
     passes_ += summary.passes;
@@ -311,10 +306,10 @@ FluidRunResult run_fluid(const Settings& settings, const FlagParameters& flag,
                          const FlowParameters& flow, const std::optional<ShapeFunction>& shape,
                          const std::optional<fs::path>& restart, const OutputFolder& folder,
                          bool shows_progress) {
-  const auto begin = Clock::now();
+  const StopWatch watch;
   FluidRun fluid_run(settings, flag, flow, shape, folder);
   FluidRunResult result = fluid_run.advance(restart, shows_progress);
-  result.wall_seconds = seconds_since(begin);
+  result.wall_seconds = watch.seconds();
   return result;
 }
 

@@ -1,8 +1,8 @@
 #include "lsa/map.hpp"
+#include "common/stop_watch.hpp"
 #include "lsa/axis_attributes.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <map>
 #include <memory>
@@ -205,7 +205,7 @@ MapSummary compute_map(const MapSettings& settings, const Point& point, const Th
   folder.require_space(
       static_cast<std::uintmax_t>(summary.points) * settings.fields.size() * sizeof(double),
       "the map");
-  const auto begin = std::chrono::steady_clock::now();
+  const StopWatch watch;
   hdf5::Writer file(folder / "map.h5");
   file.attributes({{"kind", "lsa_map"}, {"title", settings.title}, {"picture", settings.quantity}});
   file.write("/x", {axes.x.size()}, axes.x, attributes(axes.x_axis, axes.x_scale));
@@ -215,8 +215,7 @@ MapSummary compute_map(const MapSettings& settings, const Point& point, const Th
   if (cache.is_needed()) fill(cache, axes, point);
   summary.unstable = write_fields(file, settings, axes, Rows(settings, axes, point, theory, cache),
                                   shows_progress);
-  summary.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  summary.wall_seconds = watch.seconds();
   if (settings.neutral) {
     const Model& model = theory.model;
     const auto g = [&](double x, double y) {

@@ -2,12 +2,12 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "common/interrupt.hpp"
+#include "common/stop_watch.hpp"
 #include "modes/global/sampled_fit.hpp"
 #include "modes/global/station.hpp"
 
@@ -20,21 +20,6 @@ using Index = Eigen::Index;
 constexpr std::size_t most_samples = 80;
 constexpr double least_mu_of_modes = 1e-4;
 constexpr double greatest_over_map = 20;  // neutral modes are sought up to so many times its mu
-
-class Clock {
- public:
-  /// Adds what passes between construction and destruction.
-  explicit Clock(double& seconds) : seconds_(seconds) {}
-  ~Clock() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-  Clock(const Clock&) = delete;
-  Clock& operator=(const Clock&) = delete;
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 // S and its derivatives at a mode, with the border: [S, dS/dlambda zeta; zeta_0^H, 0].
 class Bordered {
@@ -105,10 +90,9 @@ class Map {
       std::optional<Station> station;
       if (is_checked) station.emplace(stations_.at(map_.x[i]));
       if (!fit_ || stations_.fluid_varies()) sample(*station);
-      {
-        const Clock clock(map_.map_seconds);
-        find_column(i, station ? station->flag : stations_.flag_at(map_.x[i]));
-      }
+      const StopWatch watch;
+      find_column(i, station ? station->flag : stations_.flag_at(map_.x[i]));
+      map_.map_seconds += watch.seconds();
       if (is_checked) check_column(*station);
     }
     return std::move(map_);
@@ -116,11 +100,12 @@ class Map {
 
  private:
   void sample(Station& station) {
-    const Clock clock(map_.sample_seconds);
+    const StopWatch watch;
     fit_ = sampled_fit([&](Complex lambda) { return station.F.at(lambda); },
                        {wanted_.omega[0], wanted_.omega[1]}, wanted_.fit_tolerance, most_samples);
     map_.samples += fit_->samples;
     map_.fit_error = std::max(map_.fit_error, fit_->error);
+    map_.sample_seconds += watch.seconds();
   }
 
   void find_column(std::size_t i, const FlagOperator& flag) {

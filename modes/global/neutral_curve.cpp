@@ -1,11 +1,11 @@
 #include "modes/global/neutral_curve.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "common/errors.hpp"
+#include "common/stop_watch.hpp"
 #include "modes/global/sampled_fit.hpp"
 #include "modes/global/station.hpp"
 
@@ -18,10 +18,6 @@ constexpr std::size_t most_samples = 80;
 // Between a mode and where it was expected: farther off it is another one, or none.
 constexpr double same_omega = 0.5;
 constexpr double same_mu = 0.3;  // of its logarithm
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 // Where a branch is expected.
 struct Expected {
@@ -80,10 +76,10 @@ class Curve {
  private:
   // The modes at a point, followed or sought; what fails is said there.
   void find(bool is_due, const std::vector<Expected>& expected, CurvePoint& point) try {
-    const auto begin = std::chrono::steady_clock::now();
+    const StopWatch watch;
     Station station = stations_.at(point.value);
     if (is_due || !follow(station, expected, point)) scan(station, expected, point);
-    point.seconds = seconds_since(begin);
+    point.seconds = watch.seconds();
     if (point.modes.empty())
       point.fault = "no neutral mode with its mass ratio and frequency between those given";
     else if (wanted_.check && (point.value == values_.front() || point.value == values_.back()))

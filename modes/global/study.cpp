@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "common/errors.hpp"
+#include "common/stop_watch.hpp"
 #include "dns/wall_faces.hpp"
 
 namespace pennon::modes::global {
@@ -22,16 +22,6 @@ const std::vector<Complex> usual_targets = {{0.5, 0}, {0.5, 2}, {0.5, 5}, {0.5, 
 // A target on an eigenvalue leaves little of the others in the shifted and inverted operator: they
 // are sought once more from so far beside it.
 constexpr double beside_target = 1e-3;
-
-class StopWatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 SegmentForces<double> scaled(SegmentForces<double> forces, double factor) {
   for (std::vector<double>* force : {&forces.x, &forces.y, &forces.z})
@@ -121,8 +111,7 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
                 .k_x = k_x,
                 .n_x = static_cast<int>(settings.n_x)};
   result.chord = dns::coupled_chord(grid);
-  result.base_seconds = watch.seconds();
-  watch = {};
+  result.base_seconds = watch.lap();
   const dns::FlagMaterial material{flag.mu, flag.K_B, flag.K_S, flag.nu_s, flag.damping};
   const dns::Edge edge =
       flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned;
@@ -134,8 +123,7 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
   result.nodes = flag_alone.nodes;
   const CoupledOperator coupled = coupled_operator(grid, result.base, flag_alone, k_x);
   result.unknowns = coupled.A.rows();
-  result.operator_seconds = watch.seconds();
-  watch = {};
+  result.operator_seconds = watch.lap();
   const Spectrum spectrum =
       settings.n_modes > 0 ? spectrum_of(coupled, settings, solve) : Spectrum{};
   result.eigen_seconds = watch.seconds();
