@@ -25,6 +25,7 @@ struct Row {
   std::optional<double> growth = {}, frequency = {};  // in V/L
   std::optional<bool> is_unstable = {};
   double wall_seconds = 0;
+  std::optional<bool> travels_with_U = {};  // along the span, where there is a cross-flow
 };
 
 double k_x_of(std::int64_t waves, const FlagParameters& flag) {
@@ -41,7 +42,8 @@ Row local_row(const Case& the_case, std::int64_t waves) {
   return row;
 }
 
-// The mode that grows most, of a flag with as many spanwise nodes as the simulation's.
+// The mode that grows most, of either direction along the span, of a flag with as many spanwise
+// nodes as the simulation's.
 Row global_row(const Case& the_case, std::int64_t waves, const OutputFolder& folder) {
   const StopWatch watch;
   modes::global::Settings settings = the_case.global_modes;
@@ -54,9 +56,11 @@ Row global_row(const Case& the_case, std::int64_t waves, const OutputFolder& fol
   const modes::global::Problem problem(the_case.flag, the_case.flow, settings);
   const Json found = solve_global_modes(problem, its_own);
   const Json& leading = found["global"]["modes"].front();
-  const double growth = leading["growth"];
-  return {"global",   waves,          growth, std::abs(leading["frequency"].get<double>()),
-          growth > 0, watch.seconds()};
+  const double growth = leading["growth"], frequency = leading["frequency"];
+  Row row{"global", waves, growth, std::abs(frequency), growth > 0, watch.seconds()};
+  // exp(i (k_x x + 2 pi f t)): with f < 0 towards positive x.
+  if (waves > 0 && the_case.flow.U != 0) row.travels_with_U = frequency * the_case.flow.U < 0;
+  return row;
 }
 
 // The linear phase of a run; whether it ended flapping.
@@ -80,6 +84,11 @@ std::string verdict(const Row& row) {
   return *row.is_unstable ? "unstable" : "stable";
 }
 
+std::string direction(const Row& row) {
+  if (!row.travels_with_U) return "";
+  return *row.travels_with_U ? "   with the cross-flow" : "   against the cross-flow";
+}
+
 template <class Value>
 Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
@@ -93,6 +102,7 @@ Json to_json(const std::vector<Row>& rows) {
                     {"growth", or_null(row.growth)},
                     {"frequency", or_null(row.frequency)},
                     {"unstable", or_null(row.is_unstable)},
+                    {"travels_with_cross_flow", or_null(row.travels_with_U)},
                     {"wall_s", row.wall_seconds}});
   return json;
 }
@@ -103,9 +113,9 @@ std::string text_of(const std::vector<Row>& rows) {
     return value ? fmt::format("{:.4g}", *value) : std::string("-");
   };
   for (const Row& row : rows)
-    text +=
-        fmt::format("  {:<8} {:>5} {:>11} {:>11}   {:<9} {:>9.3g}\n", row.model, number(row.waves),
-                    number(row.growth), number(row.frequency), verdict(row), row.wall_seconds);
+    text += fmt::format("  {:<8} {:>5} {:>11} {:>11}   {:<9} {:>9.3g}{}\n", row.model,
+                        number(row.waves), number(row.growth), number(row.frequency), verdict(row),
+                        row.wall_seconds, direction(row));
   return text;
 }
 

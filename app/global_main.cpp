@@ -18,6 +18,7 @@
 #include "modes/global/growth_map.hpp"
 #include "modes/global/neutral_curve.hpp"
 #include "modes/global/slepc/eigensolver.hpp"
+#include "modes/global/slepc/mumps_factors.hpp"
 #include "modes/global/study.hpp"
 
 namespace {
@@ -35,19 +36,21 @@ void solve(const char* problem_file, const char* result_file) {
   read_case_file(problem_file, {}, problem.schema).raise();
   const petsc::Session session;
   const global::SlepcSession slepc;
-  const auto eigenpairs = [](const global::CoupledOperator& coupled, std::complex<double> target,
-                             int n_modes, bool with_adjoints) {
-    return global::eigenpairs_near(coupled.A, coupled.B, target, n_modes, with_adjoints);
+  const auto eigenpairs = [factors = global::mumps_factors()](
+                              const global::CoupledOperator& coupled, std::complex<double> target,
+                              int n_modes, bool with_adjoints) {
+    return global::coupled_eigenpairs_near(coupled, target, n_modes, with_adjoints, factors);
   };
   const global::Result result =
       global::run(problem.flag, problem.flow, problem.settings, eigenpairs);
   if (!result.modes.empty()) write_fields(result, std::filesystem::path(result_file).parent_path());
   nlohmann::ordered_json json = to_json(result);
   if (problem.settings.neutral.is_given)
-    json["global"].update(
-        to_json(global::neutral_curve(problem.flag, problem.flow, problem.settings, eigenpairs)));
+    json["global"].update(to_json(global::neutral_curve(
+        problem.flag, problem.flow, problem.settings, eigenpairs, global::mumps_factors())));
   if (problem.settings.map.is_given)
-    json["map"] = to_json(global::growth_map(problem.flag, problem.flow, problem.settings));
+    json["map"] = to_json(
+        global::growth_map(problem.flag, problem.flow, problem.settings, global::mumps_factors()));
   write_file(result_file, json.dump(1) + "\n");
 }
 

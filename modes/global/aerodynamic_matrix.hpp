@@ -4,50 +4,50 @@
 ///
 ///   [lambda^2 M + K - F(lambda)] zeta = 0,     M = mu m,
 ///
-/// exactly: the flow's unknowns are eliminated,
+/// exactly: the flow's unknowns are eliminated (linear_fluid.hpp),
 ///
-///   v(lambda) = -(A_vv - lambda B_vv)^-1 (A_vz + lambda A_ve) zeta,
-///   F(lambda) zeta = A_ev v(lambda) + (F_d + lambda F_dt) zeta
+///   v(lambda) zeta = X zeta,     X = -(A_vv - lambda B_vv)^-1 (D_z + lambda D_e),
+///   F(lambda) = A_ev X + F_z + lambda F_e.
 ///
-/// with z, e for zeta and d zeta/dt. F knows the steady flow, the grid and k_x, but not mu, K_B,
-/// nu_s.
+/// F knows the steady flow, the grid and k_x, but not mu, K_B, nu_s.
 #pragma once
 
 #include <Eigen/Core>
 #include <complex>
 #include <memory>
 
-#include "modes/global/coupled_operator.hpp"
+#include "modes/global/linear_fluid.hpp"
+#include "modes/global/sparse_factors.hpp"
 
 namespace pennon::modes::global {
 
 class AerodynamicMatrix {
  public:
-  /// `stiffness`: K of the flag that `coupled` was made with, which does not count here.
-  AerodynamicMatrix(const CoupledOperator& coupled, const Eigen::MatrixXcd& stiffness);
-  ~AerodynamicMatrix();
-  AerodynamicMatrix(const AerodynamicMatrix&) = delete;
-  AerodynamicMatrix& operator=(const AerodynamicMatrix&) = delete;
-  AerodynamicMatrix(AerodynamicMatrix&&) noexcept;
-  AerodynamicMatrix& operator=(AerodynamicMatrix&&) noexcept;
+  /// `factors` serve this one from one at() to its next: others may use them between.
+  AerodynamicMatrix(std::shared_ptr<const LinearFluid>, std::shared_ptr<SparseFactors> factors);
 
-  Eigen::Index flag_nodes() const;
+  Eigen::Index flag_nodes() const { return fluid_->flag_nodes; }
 
   /// F(lambda), n x n of the flag's free nodes, in rho_f V^2: one sparse factorisation and n
   /// solutions. Throws SolverError where lambda is an eigenvalue of the flow past the flag at rest.
   Eigen::MatrixXcd at(std::complex<double> lambda);
 
-  /// F'(lambda) zeta at the lambda of the last at(): one more solution,
-  /// (A_vv - lambda B_vv) v' = B_vv v - A_ve zeta.
-  Eigen::VectorXcd derivative(const Eigen::VectorXcd& zeta);
+  // At the lambda of the last at():
 
-  /// The mode (v, p; zeta; lambda zeta) of the coupled operator that goes with a motion of the flag
-  /// at the lambda of the last at().
+  /// F'(lambda) zeta: one more solution, (A_vv - lambda B_vv) v' = B_vv v - D_e zeta.
+  Eigen::VectorXcd derivative(const Eigen::VectorXcd& zeta);
+  /// The mode (v, p; zeta; lambda zeta) of the coupled operator that goes with a motion of the
+  /// flag.
   Eigen::VectorXcd mode(const Eigen::VectorXcd& zeta) const;
+  /// X, and the solutions it is made of.
+  const Eigen::MatrixXcd& flow() const { return X_; }
+  const SparseFactors& factors() const { return *factors_; }
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::shared_ptr<const LinearFluid> fluid_;
+  std::shared_ptr<SparseFactors> factors_;
+  std::complex<double> lambda_;
+  Eigen::MatrixXcd X_;
 };
 
 }  // namespace pennon::modes::global

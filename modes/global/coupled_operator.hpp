@@ -12,29 +12,50 @@
 ///   lambda M zeta'    = - K zeta + F v + F_d G zeta + F_g G zeta'
 ///
 /// J the Jacobian of the flow, G the answer of the grid to the flag, R_d and R_g the derivatives of
-/// the equations by the grid's displacement and velocity, F those of the force. B is singular:
-/// continuity has no time derivative.
+/// the equations by the grid's displacement and velocity, F those of the force: all that is
+/// LinearFluid's. B is singular: continuity has no time derivative.
 #pragma once
 
-#include <Eigen/SparseCore>
-#include <complex>
+#include <memory>
 
-#include "modes/global/base_flow.hpp"
 #include "modes/global/flag_operator.hpp"
+#include "modes/global/linear_fluid.hpp"
+#include "modes/global/pencil.hpp"
 
 namespace pennon::modes::global {
 
-struct CoupledOperator {
-  Eigen::SparseMatrix<std::complex<double>> A, B;
-  HalfPlane flow;           ///< the first unknowns
-  Eigen::Index flag_nodes;  ///< then this many zeta, as many d zeta/dt, from the leading edge
+/// Copies share the fluid's part.
+class CoupledOperator final : public Pencil {
+ public:
+  CoupledOperator(std::shared_ptr<const LinearFluid> its_fluid, FlagOperator its_flag)
+      : flag(std::move(its_flag)), fluid_(std::move(its_fluid)) {}
 
-  Eigen::Index zeta(Eigen::Index node) const { return flow.unknowns() + node; }
-  Eigen::Index zeta_t(Eigen::Index node) const { return flow.unknowns() + flag_nodes + node; }
+  FlagOperator flag;
+
+  const LinearFluid& fluid() const { return *fluid_; }
+  const std::shared_ptr<const LinearFluid>& shared_fluid() const { return fluid_; }
+
+  // The unknowns: the flow's, then as many zeta as the flag has free nodes, from the leading edge,
+  // then as many d zeta/dt.
+  const HalfPlane& flow() const { return fluid_->flow; }
+  Eigen::Index flag_nodes() const { return fluid_->flag_nodes; }
+  Eigen::Index zeta(Eigen::Index node) const { return flow().unknowns() + node; }
+  Eigen::Index zeta_t(Eigen::Index node) const { return flow().unknowns() + flag_nodes() + node; }
+
+  Eigen::Index size() const override { return flow().unknowns() + 2 * flag_nodes(); }
+  Eigen::VectorXcd A(const Eigen::VectorXcd& q) const override;
+  Eigen::VectorXcd B(const Eigen::VectorXcd& q) const override;
+  Eigen::VectorXcd A_adjoint(const Eigen::VectorXcd& p) const override;
+  Eigen::VectorXcd B_adjoint(const Eigen::VectorXcd& p) const override;
+
+  /// As matrices, of which A has 2 flag_nodes() dense columns.
+  SparsePencil assembled() const;
+
+ private:
+  std::shared_ptr<const LinearFluid> fluid_;
 };
 
 /// `base` has as many components of the velocity as the disturbance: 3 where k_x is not 0.
-CoupledOperator coupled_operator(const OGrid&, const BaseFlow& base, const FlagOperator&,
-                                 double k_x);
+CoupledOperator coupled_operator(const OGrid&, const BaseFlow& base, FlagOperator, double k_x);
 
 }  // namespace pennon::modes::global

@@ -71,8 +71,10 @@ std::optional<FlagMode> follow(const Aerodynamics& F, const FlagOperator& flag, 
 
 class Map {
  public:
-  Map(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings)
-      : wanted_(settings.map), stations_(flag, flow, settings, parameter(wanted_)) {
+  Map(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
+      std::shared_ptr<SparseFactors> factors)
+      : wanted_(settings.map),
+        stations_(flag, flow, settings, parameter(wanted_), std::move(factors)) {
     map_.parameter = parameter(wanted_);
     map_.x = sweep(wanted_).values();
     map_.mu = wanted_.mu->values();
@@ -207,8 +209,8 @@ Complex correction(const Aerodynamics& F, const FlagOperator& flag, double mu,
 }
 
 GrowthMap growth_map(const FlagParameters& flag, const FlowParameters& flow,
-                     const Settings& settings) {
-  return Map(flag, flow, settings).run();
+                     const Settings& settings, const std::shared_ptr<SparseFactors>& factors) {
+  return Map(flag, flow, settings, factors).run();
 }
 
 nlohmann::ordered_json to_json(const GrowthMap& map) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "modes/global/neutral.hpp"
+#include "modes/global/sparse_factors.hpp"
 #include "modes/global/study.hpp"
 
 namespace pennon::modes::global {
@@ -48,7 +49,8 @@ struct GrowthMap {
 
 /// Preconditions: the settings are resolved and have [modes.global.map]. Throws SolverError where a
 /// steady flow or a fit fails.
-GrowthMap growth_map(const FlagParameters&, const FlowParameters&, const Settings&);
+GrowthMap growth_map(const FlagParameters&, const FlowParameters&, const Settings&,
+                     const std::shared_ptr<SparseFactors>&);
 
 /// The arrays too.
 nlohmann::ordered_json to_json(const GrowthMap&);

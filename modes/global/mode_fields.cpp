@@ -1,7 +1,6 @@
 #include "modes/global/mode_fields.hpp"
 
 #include "dns/ghosts.hpp"
-#include "modes/global/grid_response.hpp"
 #include "modes/global/jacobian.hpp"
 
 namespace pennon::modes::global {
@@ -41,7 +40,6 @@ class FieldsOfPair {
  public:
   FieldsOfPair(const OGrid& grid, const BaseFlow& base, const CoupledOperator& coupled)
       : coupled_(coupled),
-        response_(grid_response(grid)),
         equations_(grid, base.parameters, base.q.components()),
         complex_equations_(grid, base.parameters, base.q.components()),
         base_(base.q),
@@ -69,15 +67,16 @@ class FieldsOfPair {
                     Field<Complex>(extent),
                     displaced(q, coupled_.zeta(0)),
                     {}};
-    coupled_.flow.unpack<Complex>(q.head(coupled_.flow.unknowns()), mode.moving);
+    coupled_.flow().unpack<Complex>(q.head(coupled_.flow().unknowns()), mode.moving);
     mode.moving_vorticity = change_of_vorticity(mode, displaced(q, coupled_.zeta_t(0)));
     for (int f = 0; f < base_.fields(); ++f)
       at_fixed_points(mode.moving.field(f), gradients_[static_cast<std::size_t>(f)],
                       mode.displacement, mode.fixed.field(f));
     at_fixed_points(mode.moving_vorticity, gradients_.back(), mode.displacement,
                     mode.fixed_vorticity);
-    mode.zeta.assign(response_.size() - static_cast<std::size_t>(coupled_.flag_nodes), 0);
-    for (Eigen::Index node = 0; node < coupled_.flag_nodes; ++node)
+    const Eigen::Index nodes = coupled_.flow().columns() + 1;
+    mode.zeta.assign(static_cast<std::size_t>(nodes - coupled_.flag_nodes()), 0);
+    for (Eigen::Index node = 0; node < coupled_.flag_nodes(); ++node)
       mode.zeta.push_back(q[coupled_.zeta(node)]);
     if (pair.p.size() > 0) mode.adjoint = adjoint_fields(pair, coupled_, mode.fixed, scale);
     return mode;
@@ -86,16 +85,8 @@ class FieldsOfPair {
  private:
   // The corners, as the flag's nodes move by the unknowns from the first on.
   Displacement<Complex> displaced(const Eigen::VectorXcd& q, Eigen::Index first) const {
-    Displacement<Complex> d(base_.p.extent());
-    const std::size_t held = response_.size() - static_cast<std::size_t>(coupled_.flag_nodes);
-    for (Eigen::Index node = 0; node < coupled_.flag_nodes; ++node) {
-      const Displacement<double>& of = response_[held + static_cast<std::size_t>(node)];
-      for (std::size_t k = 0; k < d.y.values().size(); ++k) {
-        d.y.values()[k] += q[first + node] * of.y.values()[k];
-        d.z.values()[k] += q[first + node] * of.z.values()[k];
-      }
-    }
-    return d;
+    return MovingCorners(base_.p.extent())
+        .unpack<Complex>(coupled_.fluid().corners(q.segment(first, coupled_.flag_nodes())));
   }
 
   // At points that move with the grid: a complex step for the real part of the mode and one for
@@ -140,7 +131,6 @@ class FieldsOfPair {
   }
 
   const CoupledOperator& coupled_;
-  std::vector<Displacement<double>> response_;
   PlaneEquations<double> equations_;
   PlaneEquations<Complex> complex_equations_;
   PlaneFlow<double> base_, work_;
@@ -162,7 +152,7 @@ std::vector<double> points_of(const OGrid& grid, const Extent& extent) {
 }  // namespace
 
 Complex scale_of(const Eigenpair& pair, const CoupledOperator& coupled) {
-  const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes);
+  const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes());
   Eigen::Index largest = 0;
   zeta.cwiseAbs().maxCoeff(&largest);
   return zeta[largest] == 0.0 ? Complex(1) : zeta[largest];

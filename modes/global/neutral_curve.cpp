@@ -34,11 +34,11 @@ struct Expected {
 class Curve {
  public:
   Curve(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
-        const EigenSolver& solve)
+        const EigenSolver& solve, std::shared_ptr<SparseFactors> factors)
       : settings_(settings),
         wanted_(settings.neutral),
         solve_(solve),
-        stations_(flag, flow, settings, parameter(wanted_)),
+        stations_(flag, flow, settings, parameter(wanted_), std::move(factors)),
         values_(sweep(wanted_).values()),
         is_log_(sweep(wanted_).scale == Scale::log) {}
 
@@ -114,7 +114,7 @@ class Curve {
   void add(Station& station, int branch, const NeutralMode& mode, CurvePoint& point) const {
     const CoupledOperator coupled = station.with_mass_ratio(mode.mu);
     const Eigenpair pair{Complex(0, mode.omega), station.F.mode(mode.zeta)};
-    point.modes.push_back({branch, mode, residual_of(coupled.A, coupled.B, pair)});
+    point.modes.push_back({branch, mode, residual_of(coupled, pair)});
     point.evaluations += mode.evaluations;
   }
 
@@ -198,8 +198,9 @@ nlohmann::ordered_json value_or_null(const std::optional<Value>& value) {
 }  // namespace
 
 NeutralCurve neutral_curve(const FlagParameters& flag, const FlowParameters& flow,
-                           const Settings& settings, const EigenSolver& solve) {
-  return Curve(flag, flow, settings, solve).run();
+                           const Settings& settings, const EigenSolver& solve,
+                           const std::shared_ptr<SparseFactors>& factors) {
+  return Curve(flag, flow, settings, solve, factors).run();
 }
 
 nlohmann::ordered_json to_json(const NeutralCurve& curve) {

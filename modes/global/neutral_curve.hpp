@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "modes/global/neutral.hpp"
+#include "modes/global/sparse_factors.hpp"
 #include "modes/global/study.hpp"
 
 namespace pennon::modes::global {
@@ -51,7 +52,7 @@ struct NeutralCurve {
 /// Preconditions: the settings are resolved and have [modes.global.neutral]. A point at which the
 /// steady flow, a fit or the modes fail is left out, and said so.
 NeutralCurve neutral_curve(const FlagParameters&, const FlowParameters&, const Settings&,
-                           const EigenSolver&);
+                           const EigenSolver&, const std::shared_ptr<SparseFactors>&);
 
 /// The values of "neutral", "neutral_over" and "neutral_missing" in summary.json.
 nlohmann::ordered_json to_json(const NeutralCurve&);

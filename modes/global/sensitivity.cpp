@@ -13,9 +13,9 @@ constexpr double relative_step = 1e-4;  // of the central differences of K
 
 Sensitivity sensitivity(const Eigenpair& pair, const CoupledOperator& coupled,
                         const dns::FlagMaterial& material, const FlagOf& flag_of) {
-  const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes),
-                         zeta_t = pair.q.segment(coupled.zeta_t(0), coupled.flag_nodes),
-                         force = pair.p.segment(coupled.zeta_t(0), coupled.flag_nodes);
+  const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes()),
+                         zeta_t = pair.q.segment(coupled.zeta_t(0), coupled.flag_nodes()),
+                         force = pair.p.segment(coupled.zeta_t(0), coupled.flag_nodes());
   const auto by_stiffness = [&](double dns::FlagMaterial::*parameter, double step) -> Complex {
     dns::FlagMaterial more = material, less = material;
     more.*parameter += step;

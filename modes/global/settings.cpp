@@ -26,8 +26,8 @@ void declare(Schema& schema, Settings& settings) {
             "growth rate and angular frequency near which modes are sought, in V/L; more such "
             "pairs may "
             "follow, whose modes are merged into one spectrum; left out: the n_modes leading modes "
-            "up "
-            "to an angular frequency of about 13",
+            "up to an angular frequency of about 13, in a cross-flow with waves along the span of "
+            "either sign (negative: the wave travels with the cross-flow)",
             any_sign})
       .key({"k_x", &settings.k_x, "spanwise wavenumber, in 1/L", ranges::k_x, false,
             "2 pi/gamma, in two dimensions 0"})

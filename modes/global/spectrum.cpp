@@ -18,25 +18,27 @@ constexpr double same_eigenvalue = 1e-6;
 
 }  // namespace
 
-double residual_of(const Matrix& A, const Matrix& B, const Eigenpair& pair) {
-  const Eigen::VectorXcd Aq = A * pair.q, Bq = B * pair.q;
+double residual_of(const Pencil& pencil, const Eigenpair& pair) {
+  const Eigen::VectorXcd Aq = pencil.A(pair.q), Bq = pencil.B(pair.q);
   return (Aq - pair.lambda * Bq).norm() / (Aq.norm() + std::abs(pair.lambda) * Bq.norm());
 }
 
-void normalise(const Matrix& B, Eigenpair& pair) {
-  pair.q /= std::sqrt(pair.q.dot(B * pair.q).real());
-  if (pair.p.size() > 0) pair.p /= std::conj(pair.p.dot(B * pair.q));
+void normalise(const Pencil& pencil, Eigenpair& pair) {
+  pair.q /= std::sqrt(pair.q.dot(pencil.B(pair.q)).real());
+  if (pair.p.size() > 0) pair.p /= std::conj(pair.p.dot(pencil.B(pair.q)));
 }
 
-double biorthogonality_defect(const Matrix& B, const std::vector<Eigenpair>& pairs) {
+double biorthogonality_defect(const Pencil& pencil, const std::vector<Eigenpair>& pairs) {
   double largest = 0;
-  for (const Eigenpair& i : pairs)
-    for (const Eigenpair& j : pairs)
-      if (&i != &j && i.p.size() > 0) largest = std::max(largest, std::abs(i.p.dot(B * j.q)));
+  for (const Eigenpair& j : pairs) {
+    const Eigen::VectorXcd Bq = pencil.B(j.q);
+    for (const Eigenpair& i : pairs)
+      if (&i != &j && i.p.size() > 0) largest = std::max(largest, std::abs(i.p.dot(Bq)));
+  }
   return largest;
 }
 
-void biorthogonalise(const Matrix& A, const Matrix& B, std::vector<Eigenpair>& pairs) {
+void biorthogonalise(const Pencil& pencil, std::vector<Eigenpair>& pairs) {
   if (std::ranges::any_of(pairs, [](const Eigenpair& pair) { return pair.p.size() == 0; })) return;
   std::vector<Eigenpair*> order;
   order.reserve(pairs.size());
@@ -47,18 +49,18 @@ void biorthogonalise(const Matrix& A, const Matrix& B, std::vector<Eigenpair>& p
   for (std::size_t k = 0; k < order.size(); ++k) {
     Eigenpair& pair = *order[k];
     for (std::size_t l = 0; l < k; ++l) {
-      pair.q -= order[l]->p.dot(B * pair.q) * order[l]->q;
+      pair.q -= order[l]->p.dot(pencil.B(pair.q)) * order[l]->q;
       pair.p -= Bq[l].dot(pair.p) * order[l]->p;
     }
-    normalise(B, pair);
-    Bq.emplace_back(B * pair.q);
-    pair.residual = residual_of(A, B, pair);
-    set_adjoint(A, B, pair.p, pair);
+    normalise(pencil, pair);
+    Bq.push_back(pencil.B(pair.q));
+    pair.residual = residual_of(pencil, pair);
+    set_adjoint(pencil, pair.p, pair);
   }
 }
 
-void set_adjoint(const Matrix& A, const Matrix& B, Eigen::VectorXcd p, Eigenpair& pair) {
-  const Eigen::VectorXcd Ap = A.adjoint() * p, Bp = B.adjoint() * p;
+void set_adjoint(const Pencil& pencil, Eigen::VectorXcd p, Eigenpair& pair) {
+  const Eigen::VectorXcd Ap = pencil.A_adjoint(p), Bp = pencil.B_adjoint(p);
   pair.adjoint_residual =
       (Ap - std::conj(pair.lambda) * Bp).norm() / (Ap.norm() + std::abs(pair.lambda) * Bp.norm());
   pair.p = std::move(p);
@@ -83,19 +85,19 @@ void merge(std::vector<Eigenpair> others, Spectrum& spectrum) {
   });
 }
 
-Eigenpair eigenpair_near(const Matrix& A, const Matrix& B, Complex target) {
+Eigenpair eigenpair_near(const SparsePencil& pencil, Complex target) {
   constexpr int most_shifts = 20, iterations_of_shift = 8;
   constexpr double tolerance = 1e-12, aside = 1e-6;  // of the shift from the eigenvalue
-  Eigenpair pair{target, Eigen::VectorXcd::Ones(A.rows()), 1};
+  Eigenpair pair{target, Eigen::VectorXcd::Ones(pencil.size()), 1};
   for (int shift = 0; shift < most_shifts; ++shift) {
-    const Matrix shifted = A - target * B;
+    const Matrix shifted = pencil.matrix_A - target * pencil.matrix_B;
     const Eigen::UmfPackLU<Matrix> factors(shifted);
     for (int k = 0; k < iterations_of_shift; ++k) {
-      const Eigen::VectorXcd right = B * pair.q, next = factors.solve(right);
+      const Eigen::VectorXcd right = pencil.B(pair.q), next = factors.solve(right);
       const Complex by = pair.q.dot(next) / pair.q.squaredNorm();
       pair.lambda = target + 1.0 / by;
       pair.q = next / next.norm();
-      pair.residual = residual_of(A, B, pair);
+      pair.residual = residual_of(pencil, pair);
       if (pair.residual < tolerance) return pair;
     }
     target = pair.lambda + aside * (1 + std::abs(pair.lambda));

@@ -1,9 +1,10 @@
 /// Eigenpairs of A q = lambda B q that were found next to one or several targets.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <complex>
 #include <vector>
+
+#include "modes/global/pencil.hpp"
 
 namespace pennon::modes::global {
 
@@ -22,16 +23,14 @@ struct Spectrum {
 };
 
 /// The residual of a pair.
-double residual_of(const Eigen::SparseMatrix<std::complex<double>>& A,
-                   const Eigen::SparseMatrix<std::complex<double>>& B, const Eigenpair&);
+double residual_of(const Pencil&, const Eigenpair&);
 
 /// Scales q to q^H B q = 1 and, where there is one, p to p^H B q = 1.
-void normalise(const Eigen::SparseMatrix<std::complex<double>>& B, Eigenpair&);
+void normalise(const Pencil&, Eigenpair&);
 
 /// The largest |p_i^H B q_j|, i != j, of normalised pairs that have adjoints: 0 but for rounding
 /// and the residuals.
-double biorthogonality_defect(const Eigen::SparseMatrix<std::complex<double>>& B,
-                              const std::vector<Eigenpair>&);
+double biorthogonality_defect(const Pencil&, const std::vector<Eigenpair>&);
 
 /// Makes p_i^H B q_j = 0, i != j, to rounding, by Gram and Schmidt's method for two sets of
 /// vectors, and finds all residuals anew. Nothing is done where one has no adjoint. Precondition:
@@ -42,13 +41,10 @@ double biorthogonality_defect(const Eigen::SparseMatrix<std::complex<double>>& B
 /// leaves in such a p, 1e-12 of it and most along the adjoint next to the target, is then no longer
 /// small beside 1. So the pairs are taken by growing |p|: a large p gives up what it holds of
 /// smaller ones, and the other way round q does; either changes by a small part of itself.
-void biorthogonalise(const Eigen::SparseMatrix<std::complex<double>>& A,
-                     const Eigen::SparseMatrix<std::complex<double>>& B, std::vector<Eigenpair>&);
+void biorthogonalise(const Pencil&, std::vector<Eigenpair>&);
 
 /// Gives the pair, whose eigenvalue is that of p, its adjoint.
-void set_adjoint(const Eigen::SparseMatrix<std::complex<double>>& A,
-                 const Eigen::SparseMatrix<std::complex<double>>& B, Eigen::VectorXcd p,
-                 Eigenpair&);
+void set_adjoint(const Pencil&, Eigen::VectorXcd p, Eigenpair&);
 
 /// Whether two eigenvalues are one.
 bool are_same(std::complex<double> a, std::complex<double> b);
@@ -59,8 +55,6 @@ void merge(std::vector<Eigenpair> others, Spectrum&);
 
 /// Inverse iteration (Wielandt 1944) from a target, which is moved toward the eigenvalue now and
 /// then, for one eigenpair, by UMFPACK. Throws SolverError where it does not settle.
-Eigenpair eigenpair_near(const Eigen::SparseMatrix<std::complex<double>>& A,
-                         const Eigen::SparseMatrix<std::complex<double>>& B,
-                         std::complex<double> target);
+Eigenpair eigenpair_near(const SparsePencil&, std::complex<double> target);
 
 }  // namespace pennon::modes::global

@@ -4,11 +4,12 @@
 
 namespace pennon::modes::global {
 
-Station::Station(const OGrid& grid, BaseFlow its_base, FlagOperator its_flag, double k_x)
+Station::Station(BaseFlow its_base, FlagOperator its_flag, std::shared_ptr<const LinearFluid> fluid,
+                 std::shared_ptr<SparseFactors> factors)
     : base(std::move(its_base)),
-      flag(std::move(its_flag)),
-      coupled(coupled_operator(grid, base, flag, k_x)),
-      F(coupled, flag.stiffness) {}
+      flag(its_flag),
+      coupled(fluid, std::move(its_flag)),
+      F(std::move(fluid), std::move(factors)) {}
 
 Aerodynamics Station::aerodynamics() {
   return [this](std::complex<double> lambda) {
@@ -19,13 +20,12 @@ Aerodynamics Station::aerodynamics() {
 
 CoupledOperator Station::with_mass_ratio(double mu) const {
   CoupledOperator scaled = coupled;
-  for (Eigen::Index node = 0; node < scaled.flag_nodes; ++node)
-    scaled.B.coeffRef(scaled.zeta_t(node), scaled.zeta_t(node)) *= mu;
+  scaled.flag.mass *= mu;
   return scaled;
 }
 
 Stations::Stations(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
-                   CurveParameter parameter)
+                   CurveParameter parameter, std::shared_ptr<SparseFactors> factors)
     : parameter_(parameter),
       grid_(grid_of(settings)),
       chord_(dns::coupled_chord(grid_)),
@@ -33,7 +33,8 @@ Stations::Stations(const FlagParameters& flag, const FlowParameters& flow, const
       material_{1, flag.K_B, flag.K_S, flag.nu_s, flag.damping},
       flow_(plane_parameters(flow, settings)),
       k_x_(*settings.k_x),
-      spanwise_nodes_(static_cast<int>(settings.n_x)) {}
+      spanwise_nodes_(static_cast<int>(settings.n_x)),
+      factors_(std::move(factors)) {}
 
 void Stations::move_to(double value) {
   switch (parameter_) {
@@ -50,6 +51,7 @@ void Stations::move_to(double value) {
       material_.nu_s = value;
       break;
   }
+  if (fluid_varies()) fluid_ = nullptr;
   const int components = k_x_ != 0 ? 3 : 2;
   if (!base_)
     base_ = base_flow(grid_, flow_, components);
@@ -64,7 +66,10 @@ FlagOperator Stations::flag_at(double value) {
 
 Station Stations::at(double value) {
   FlagOperator flag = flag_at(value);
-  return {grid_, *base_, std::move(flag), k_x_};
+  if (!fluid_)
+    fluid_ = std::make_shared<LinearFluid>(
+        linear_fluid(grid_, *base_, static_cast<int>(flag.mass.size()), k_x_));
+  return {*base_, std::move(flag), fluid_, factors_};
 }
 
 }  // namespace pennon::modes::global

@@ -11,14 +11,16 @@
 
 namespace pennon::modes::global {
 
-/// Does not move while an Aerodynamics of it is in use.
+/// Does not move while an Aerodynamics of it is in use. The stations share their factors: only the
+/// one that was asked last has them.
 struct Station {
   BaseFlow base;
   FlagOperator flag;        ///< with mu = 1
   CoupledOperator coupled;  ///< with mu = 1
   AerodynamicMatrix F;
 
-  Station(const OGrid&, BaseFlow, FlagOperator, double k_x);
+  Station(BaseFlow, FlagOperator, std::shared_ptr<const LinearFluid>,
+          std::shared_ptr<SparseFactors>);
 
   Aerodynamics aerodynamics();
   CoupledOperator with_mass_ratio(double mu) const;
@@ -29,7 +31,8 @@ struct Station {
 class Stations {
  public:
   /// Precondition: the settings are resolved. Throws InputError where they make no grid.
-  Stations(const FlagParameters&, const FlowParameters&, const Settings&, CurveParameter);
+  Stations(const FlagParameters&, const FlowParameters&, const Settings&, CurveParameter,
+           std::shared_ptr<SparseFactors>);
 
   /// Both throw SolverError where the steady flow fails.
   Station at(double value);
@@ -51,7 +54,9 @@ class Stations {
   PlaneParameters flow_;
   double k_x_;
   int spanwise_nodes_;
+  std::shared_ptr<SparseFactors> factors_;
   std::optional<BaseFlow> base_;
+  std::shared_ptr<const LinearFluid> fluid_;  // of the last station, where it is still good
 };
 
 }  // namespace pennon::modes::global

@@ -17,9 +17,22 @@ namespace {
 using Complex = std::complex<double>;
 
 // Where the leading modes are sought without a target. Those that do not swing belong to the wake.
-const std::vector<Complex> usual_targets = {{0.5, 0}, {0.5, 2}, {0.5, 5}, {0.5, 8}, {0.5, 11}};
+// Where the spectrum is symmetric the modes with a negative frequency are the others' mirror
+// images.
+std::vector<Complex> usual_targets(bool is_symmetric) {
+  std::vector<Complex> targets = {{0.5, 0}, {0.5, 2}, {0.5, 5}, {0.5, 8}, {0.5, 11}};
+  if (!is_symmetric)
+    for (std::size_t k = targets.size(); k-- > 1;) targets.push_back(std::conj(targets[k]));
+  return targets;
+}
 
-// A target on an eigenvalue leaves little of the others in the shifted and inverted operator: they
+constexpr double rounding = 1e-6;  // of the frequency of a mode that does not swing
+
+bool is_mirror_image(const Eigenpair& pair) {
+  return pair.lambda.imag() < -rounding * (1 + std::abs(pair.lambda));
+}
+
+// A target on an eigenvalue leaves little of the others in the shifted and inverted operator: all
 // are sought once more from so far beside it.
 constexpr double beside_target = 1e-3;
 
@@ -32,7 +45,7 @@ SegmentForces<double> scaled(SegmentForces<double> forces, double factor) {
 // The node that moves most has the displacement 1.
 GlobalMode mode_of(const Eigenpair& pair, const CoupledOperator& coupled) {
   const Eigen::VectorXcd zeta =
-      pair.q.segment(coupled.zeta(0), coupled.flag_nodes) / scale_of(pair, coupled);
+      pair.q.segment(coupled.zeta(0), coupled.flag_nodes()) / scale_of(pair, coupled);
   GlobalMode mode{pair.lambda,
                   pair.residual,
                   {Complex(0)},  // the leading edge is held
@@ -79,9 +92,9 @@ OGrid grid_of(const Settings& settings) try {
 Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
                      const EigenSolver& solve) {
   const int n_modes = static_cast<int>(settings.n_modes);
-  std::vector<Complex> targets = usual_targets;
-  const bool are_given = !settings.target.empty();
-  if (are_given) targets = targets_of(settings.target);
+  const bool are_given = !settings.target.empty(), is_symmetric = coupled.fluid().is_symmetric;
+  const std::vector<Complex> targets =
+      are_given ? targets_of(settings.target) : usual_targets(is_symmetric);
   Spectrum spectrum;
   spectrum.requested = are_given ? n_modes * static_cast<int>(targets.size()) : n_modes;
   for (const Complex& target : targets) {
@@ -89,14 +102,13 @@ Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,
     const bool is_on_one = std::ranges::any_of(found.pairs, [&](const Eigenpair& pair) {
       return std::abs(pair.lambda - target) < beside_target;
     });
-    const bool are_all = found.pairs.size() >= static_cast<std::size_t>(n_modes);
+    if (is_on_one) found = solve(coupled, target + beside_target, n_modes, settings.adjoint);
     merge(std::move(found.pairs), spectrum);
-    if (is_on_one && !are_all)
-      merge(solve(coupled, target + beside_target, n_modes, settings.adjoint).pairs, spectrum);
   }
+  if (!are_given && is_symmetric) std::erase_if(spectrum.pairs, is_mirror_image);
   if (!are_given && spectrum.pairs.size() > static_cast<std::size_t>(n_modes))
     spectrum.pairs.resize(static_cast<std::size_t>(n_modes));
-  biorthogonalise(coupled.A, coupled.B, spectrum.pairs);
+  biorthogonalise(coupled, spectrum.pairs);
   return spectrum;
 }
 
@@ -119,10 +131,9 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
     return flag_operator(result.chord, edge, its, scaled(result.base.forces, share), k_x,
                          result.n_x);
   };
-  const FlagOperator flag_alone = flag_of(material, 1);
-  result.nodes = flag_alone.nodes;
-  const CoupledOperator coupled = coupled_operator(grid, result.base, flag_alone, k_x);
-  result.unknowns = coupled.A.rows();
+  const CoupledOperator coupled = coupled_operator(grid, result.base, flag_of(material, 1), k_x);
+  result.nodes = coupled.flag.nodes;
+  result.unknowns = coupled.size();
   result.operator_seconds = watch.lap();
   const Spectrum spectrum =
       settings.n_modes > 0 ? spectrum_of(coupled, settings, solve) : Spectrum{};
@@ -137,7 +148,7 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
     if (settings.adjoint) mode.sensitivity = sensitivity(pair, coupled, material, flag_of);
   }
   if (settings.adjoint)
-    result.biorthogonality_defect = biorthogonality_defect(coupled.B, spectrum.pairs);
+    result.biorthogonality_defect = biorthogonality_defect(coupled, spectrum.pairs);
   result.fields = fields_of_modes(grid, result.base, coupled, spectrum.pairs);
   return result;
 }

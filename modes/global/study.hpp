@@ -49,7 +49,7 @@ PlaneParameters plane_parameters(const FlowParameters&, const Settings&);
 OGrid grid_of(const Settings&);
 
 /// The n_modes pairs next to each target, each once; without a target the leading ones of several
-/// points along the axis of the angular frequency.
+/// points along the axis of the angular frequency, on both sides where they differ.
 Spectrum spectrum_of(const CoupledOperator&, const Settings&, const EigenSolver&);
 
 /// What the settings ask for. Precondition: they are resolved. Throws SolverError.

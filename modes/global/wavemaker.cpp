@@ -16,11 +16,11 @@ double speed(const PlaneFlow<Complex>& q, int j, int i) {
 }  // namespace
 
 FlagFeedback flag_feedback(const Eigenpair& pair, const CoupledOperator& coupled) {
-  const auto held = static_cast<std::size_t>(coupled.flow.columns() + 1 - coupled.flag_nodes);
-  const auto nodes = held + static_cast<std::size_t>(coupled.flag_nodes);
+  const auto held = static_cast<std::size_t>(coupled.flow().columns() + 1 - coupled.flag_nodes());
+  const auto nodes = held + static_cast<std::size_t>(coupled.flag_nodes());
   FlagFeedback feedback{std::vector<double>(nodes), std::vector<Complex>(nodes),
                         std::vector<Complex>(nodes), std::vector<Complex>(nodes)};
-  for (Eigen::Index node = 0; node < coupled.flag_nodes; ++node) {
+  for (Eigen::Index node = 0; node < coupled.flag_nodes(); ++node) {
     const Complex zeta = pair.q[coupled.zeta(node)], zeta_t = pair.q[coupled.zeta_t(node)],
                   p = std::conj(pair.p[coupled.zeta_t(node)]);
     const std::size_t at = held + static_cast<std::size_t>(node);
@@ -39,8 +39,8 @@ AdjointFields adjoint_fields(const Eigenpair& pair, const CoupledOperator& coupl
                         flag_feedback(pair, coupled)};
   constexpr double of_whole_plane = 0.5;
   const Eigen::VectorXcd p =
-      of_whole_plane * std::conj(scale) * pair.p.head(coupled.flow.unknowns());
-  coupled.flow.unpack<Complex>(p, adjoint.p);
+      of_whole_plane * std::conj(scale) * pair.p.head(coupled.flow().unknowns());
+  coupled.flow().unpack<Complex>(p, adjoint.p);
   for (int j = 0; j < extent.n_rho; ++j)
     for (int i = 0; i < extent.n_theta; ++i)
       adjoint.wavemaker.row(0, j)[i] = speed(adjoint.p, j, i) * speed(fixed, j, i);

@@ -28,7 +28,7 @@ inline dns::FlowMode mode_near(const CoupledCase& simulation, double k_x, double
   const FlagOperator flag = flag_operator(dns::coupled_chord(grid), simulation.leading_edge,
                                           simulation.flag, base.forces, k_x, simulation.planes);
   const CoupledOperator coupled = coupled_operator(grid, base, flag, k_x);
-  return flow_mode(base, flag, coupled, eigenpair_near(coupled.A, coupled.B, target), k_x);
+  return flow_mode(base, flag, coupled, eigenpair_near(coupled.assembled(), target), k_x);
 }
 
 }  // namespace pennon::test

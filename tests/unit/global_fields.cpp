@@ -31,13 +31,12 @@ struct ModeOfGrid {
         flag(flag_operator(dns::coupled_chord(grid), dns::Edge::pinned, material, base.forces, k_x,
                            40)),
         coupled(coupled_operator(grid, base, flag, k_x)),
-        pair(eigenpair_near(coupled.A, coupled.B, {0, 2.5})) {
+        pair(eigenpair_near(coupled.assembled(), {0, 2.5})) {
     if (with_adjoint) {
-      const Matrix A = coupled.A.adjoint(), B = coupled.B.adjoint();
-      set_adjoint(coupled.A, coupled.B, eigenpair_near(A, B, std::conj(pair.lambda) + 1e-5).q,
-                  pair);
+      const SparsePencil adjoint = coupled.assembled().adjoint();
+      set_adjoint(coupled, eigenpair_near(adjoint, std::conj(pair.lambda) + 1e-5).q, pair);
     }
-    normalise(coupled.B, pair);
+    normalise(coupled, pair);
   }
 
   ModeFields fields() const { return fields_of_modes(grid, base, coupled, {pair}).modes.front(); }
@@ -48,11 +47,21 @@ struct ModeOfGrid {
 constexpr dns::OGridSettings small_grid = {
     .n_rho = 10, .n_theta = 24, .R = 3, .wall_spacing = 0.12};
 
+// Of the corners to each of the flag's nodes.
+std::vector<Displacement<double>> responses(const dns::OGrid& grid) {
+  const int nodes = grid.n_theta() / 2 + 1;
+  const MovingCorners corners(Extent{1, grid.n_rho(), grid.n_theta()});
+  const Eigen::MatrixXd G = grid_response(grid, nodes);
+  std::vector<Displacement<double>> of_nodes;
+  for (int node = 0; node < nodes; ++node) of_nodes.push_back(corners.unpack<double>(G.col(node)));
+  return of_nodes;
+}
+
 // (d . grad) V of a cell, where d follows a node of the flag: what is carried along with the grid.
 class CarriedFlow {
  public:
   CarriedFlow(const dns::OGrid& grid, const BaseFlow& base)
-      : equations_(grid, base.parameters, base.q.components()), response_(grid_response(grid)) {
+      : equations_(grid, base.parameters, base.q.components()), response_(responses(grid)) {
     PlaneFlow<double> q(base.q), R(base.q);
     equations_.set_inflow(base.is_inflow);
     equations_.evaluate(q, nullptr, R, nullptr);  // for the ghosts
@@ -94,11 +103,11 @@ struct CarriedVorticity {
         grid, base,
         flag_operator(chord, dns::Edge::pinned, ModeOfGrid::material, base.forces, 0, 1), 0);
     const CarriedFlow carried(grid, base);
-    Eigenpair pair{0, Eigen::VectorXcd::Zero(coupled.A.rows())};
+    Eigenpair pair{0, Eigen::VectorXcd::Zero(coupled.size())};
     for (std::size_t node = 1; node < carried.nodes(); ++node) {
       const double zeta = chord[node] * chord[node];
       pair.q[coupled.zeta(static_cast<Eigen::Index>(node) - 1)] = zeta;
-      coupled.flow.for_each(
+      coupled.flow().for_each(
           [&](int f, int j, int i, Eigen::Index k) { pair.q[k] += zeta * carried(f, j, i, node); });
     }
     const ModeFields mode = fields_of_modes(grid, base, coupled, {pair}).modes.front();
@@ -155,9 +164,9 @@ std::vector<Eigen::VectorXcd> fixed_velocity_rows(const ModeOfGrid& of, int j, i
   const CarriedFlow carried(of.grid, of.base);
   std::vector<Eigen::VectorXcd> rows;
   for (int c = 0; c < of.base.q.components(); ++c) {
-    Eigen::VectorXcd& row = rows.emplace_back(Eigen::VectorXcd::Zero(of.coupled.A.rows()));
-    row[of.coupled.flow.index(c, j, i)] = 1;
-    for (Eigen::Index node = 0; node < of.coupled.flag_nodes; ++node)
+    Eigen::VectorXcd& row = rows.emplace_back(Eigen::VectorXcd::Zero(of.coupled.size()));
+    row[of.coupled.flow().index(c, j, i)] = 1;
+    for (Eigen::Index node = 0; node < of.coupled.flag_nodes(); ++node)
       row[of.coupled.zeta(node)] = -carried(c, j, i, static_cast<std::size_t>(node + 1));
   }
   return rows;
@@ -173,11 +182,13 @@ Complex change_by_feedback(const ModeOfGrid& of, int j, int i, const Eigen::Matr
       for (int g = 0; g < C.cols(); ++g)
         for (Eigen::Index k = 0; k < rows[static_cast<std::size_t>(g)].size(); ++k)
           if (const Complex value = rows[static_cast<std::size_t>(g)][k]; value != 0.0)
-            entries.emplace_back(of.coupled.flow.index(f, j, i), k,
+            entries.emplace_back(of.coupled.flow().index(f, j, i), k,
                                  strength * volume * C(f, g) * value);
-    Matrix change(of.coupled.A.rows(), of.coupled.A.cols());
+    Matrix change(of.coupled.size(), of.coupled.size());
     change.setFromTriplets(entries.begin(), entries.end());
-    return eigenpair_near(of.coupled.A + change, of.coupled.B, of.pair.lambda).lambda;
+    SparsePencil changed = of.coupled.assembled();
+    changed.matrix_A += change;
+    return eigenpair_near(changed, of.pair.lambda).lambda;
   };
   constexpr double strength = 1e-2;
   return (eigenvalue(strength) - eigenvalue(-strength)) / (2 * strength);
@@ -227,11 +238,12 @@ TEST(GlobalWavemaker, OfTheFlagIsTheDerivativeByAMassASpringOrADamperOnAPieceOfI
 
   constexpr Eigen::Index node = 6;
   const auto eigenvalue = [&](double stiffness, double damping) {
-    Matrix A = of.coupled.A;
+    SparsePencil changed = of.coupled.assembled();
+    Matrix& A = changed.matrix_A;
     const Eigen::Index row = of.coupled.zeta_t(node);
     A.coeffRef(row, of.coupled.zeta(node)) -= stiffness * lengths[node];
     A.coeffRef(row, row) -= damping * lengths[node];
-    return eigenpair_near(A, of.coupled.B, of.pair.lambda).lambda;
+    return eigenpair_near(changed, of.pair.lambda).lambda;
   };
   constexpr double step = 1e-3;
   const Complex by_spring = (eigenvalue(step, 0) - eigenvalue(-step, 0)) / (2 * step),

@@ -171,10 +171,10 @@ TEST(GlobalAerodynamicMatrix, MakesTheFlagAloneHaveTheModesOfTheCoupledOperator)
     const SmallCase small(k_x, U);
     constexpr double mu = 0.3;
     const CoupledOperator coupled = small.coupled(mu);
-    const Eigenpair pair = eigenpair_near(coupled.A, coupled.B, {0, 3});
+    const Eigenpair pair = eigenpair_near(coupled.assembled(), {0, 3});
     const FlagOperator flag = small.flag(mu);
-    AerodynamicMatrix F(coupled, flag.stiffness);
-    const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes);
+    AerodynamicMatrix F(coupled.shared_fluid(), umfpack_factors());
+    const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes());
     const Eigen::MatrixXcd at = F.at(pair.lambda);
     const Eigen::VectorXcd force = at * zeta;
     const Eigen::VectorXcd inertia = pair.lambda * pair.lambda * flag.mass.cwiseProduct(zeta);
@@ -193,7 +193,7 @@ TEST(GlobalAerodynamicMatrix, MakesTheFlagAloneHaveTheModesOfTheCoupledOperator)
 double neutral_by_secants(const SmallCase& small, double mu_0, double mu_1, Complex near) {
   const auto growth = [&](double mu) {
     const CoupledOperator coupled = small.coupled(mu);
-    near = eigenpair_near(coupled.A, coupled.B, near).lambda;
+    near = eigenpair_near(coupled.assembled(), near).lambda;
     return near.real();
   };
   double g_0 = growth(mu_0), g_1 = growth(mu_1);
@@ -209,7 +209,7 @@ TEST(GlobalNeutralModes, AreWhereTheGrowthRateOfTheCoupledOperatorIsZero) {
   for (const double k_x : {0.0, 2.0}) {
     const SmallCase small(k_x);
     const FlagOperator flag = small.flag(1);
-    AerodynamicMatrix F(small.coupled(1), flag.stiffness);
+    AerodynamicMatrix F(small.coupled(1).shared_fluid(), umfpack_factors());
     const SampledFit fit =
         sampled_fit([&](Complex lambda) { return F.at(lambda); }, {1, 10}, 1e-5, 60);
     const std::vector<NeutralMode> modes =

@@ -34,7 +34,7 @@ NeutralCurve curve_of(const NeutralSettings& neutral) {
   const EigenSolver none = [](const CoupledOperator&, std::complex<double>, int, bool) {
     return Spectrum{};
   };
-  return neutral_curve(flag, flow, settings_of(neutral), none);
+  return neutral_curve(flag, flow, settings_of(neutral), none, umfpack_factors());
 }
 
 Sweep list(std::vector<double> values) {
@@ -79,16 +79,16 @@ void expect_map_of_the_full_operator(const MapSettings& wanted) {
   Sweep mu;
   mu.list = {0.1, 0.2, 0.35, 0.5};
   settings.map.mu = mu;
-  const GrowthMap map = growth_map(flag, flow, settings);
+  const GrowthMap map = growth_map(flag, flow, settings, umfpack_factors());
   EXPECT_LE(map.fit_error, 1e-6);
   EXPECT_GT(map.checked, 0u);
-  Stations stations(flag, flow, settings, parameter(settings.map));
+  Stations stations(flag, flow, settings, parameter(settings.map), umfpack_factors());
   for (std::size_t i = 0; i < map.x.size(); ++i) {
     const Station station = stations.at(map.x[i]);
     for (std::size_t m = 0; m < map.mu.size(); ++m) {
       const std::complex<double> lambda(map.growth[m][i], map.omega[m][i]);
       const CoupledOperator coupled = station.with_mass_ratio(map.mu[m]);
-      const std::complex<double> full = eigenpair_near(coupled.A, coupled.B, lambda).lambda;
+      const std::complex<double> full = eigenpair_near(coupled.assembled(), lambda).lambda;
       EXPECT_LT(std::abs(full - lambda), 1e-4) << map.x[i] << ' ' << map.mu[m] << ' ' << lambda;
     }
   }

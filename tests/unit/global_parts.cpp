@@ -65,8 +65,10 @@ TEST(GlobalJacobian, IsTheDifferenceOfTheEquationsForEitherSymmetry) {
 
 TEST(GlobalGridResponse, IsThatOfTheEllipticGridToASmallDisplacement) {
   const dns::OGrid grid(small_grid);
-  const std::vector<Displacement<double>> response = grid_response(grid);
   const int node = 7, n_theta = grid.n_theta(), corner = n_theta / 2 - node;
+  const Displacement<double> d =
+      MovingCorners(Extent{1, grid.n_rho(), n_theta})
+          .unpack<double>(grid_response(grid, n_theta / 2 + 1).col(node));
   constexpr double amplitude = 1e-5;
   Displacement<double> displacement(Extent{1, grid.n_rho(), n_theta});
   std::vector<double> y(static_cast<std::size_t>(n_theta)), z(y.size());
@@ -75,10 +77,74 @@ TEST(GlobalGridResponse, IsThatOfTheEllipticGridToASmallDisplacement) {
   constexpr double of_second_order = 1e3 * amplitude;  // over the square of the cells' size
   for (int j = 0; j <= grid.n_rho(); ++j)
     for (int i = 0; i < n_theta; ++i) {
-      const Displacement<double>& d = response[static_cast<std::size_t>(node)];
       EXPECT_NEAR(displacement.y.row(0, j)[i] / amplitude, d.y.row(0, j)[i], of_second_order);
       EXPECT_NEAR(displacement.z.row(0, j)[i] / amplitude, d.z.row(0, j)[i], of_second_order);
     }
+}
+
+// What the equations of the whole plane say of a motion of all corners at once, by one complex step
+// for each of its parts.
+struct MotionAtOnce {
+  const OGrid& grid;
+  const BaseFlow& base;
+  const LinearFluid& fluid;
+  PlaneEquations<Complex> equations{grid, base.parameters, base.q.components()};
+  PlaneFlow<Complex> q{complex_flow(base.q)}, R{q}, X{q};
+
+  Displacement<Complex> step(const Eigen::VectorXd& zeta) const {
+    const Eigen::VectorXcd corners = Complex(0, complex_step) * (fluid.G * zeta);
+    return MovingCorners(base.q.p.extent()).unpack<Complex>(corners);
+  }
+  // -(R + of_X X) and the force, times of_R.
+  void add(Complex of_R, Complex of_X, Eigen::VectorXcd& flow, Eigen::VectorXcd& force) {
+    equations.evaluate(q, nullptr, R, q.components() > 2 ? &X : nullptr);
+    fluid.flow.for_each([&](int f, int j, int i, Eigen::Index k) {
+      flow[k] -= of_R * R.field(f).row(0, j)[i].imag() / complex_step;
+      flow[k] -= of_X * X.field(f).row(0, j)[i].imag() / complex_step;
+    });
+    const Eigen::Index held = fluid.flow.columns() + 1 - fluid.flag_nodes;
+    for (Eigen::Index s = 0; s < fluid.flow.columns(); ++s)
+      for (const Eigen::Index node : {s - held, s + 1 - held})
+        if (node >= 0)
+          force[node] +=
+              of_R * equations.forces().z[static_cast<std::size_t>(s)].imag() / (2 * complex_step);
+  }
+};
+
+TEST(GlobalLinearFluid, KnowsWhatAMotionOfAllCornersAtOnceDoesToFlowAndForce) {
+  for (const double k_x : {0.0, 2.0}) {
+    const dns::OGrid grid({.n_rho = 22, .n_theta = 44, .R = 4, .wall_spacing = 0.03});
+    const int components = k_x == 0 ? 2 : 3, nodes = grid.n_theta() / 2;
+    const BaseFlow base = base_flow(grid, {.Re = 150, .U = 0.3, .tau = 0.01}, components);
+    const LinearFluid fluid = linear_fluid(grid, base, nodes, k_x);
+    MotionAtOnce motion{grid, base, fluid};
+    motion.equations.set_inflow(base.is_inflow);
+    const Displacement<Complex> still(base.q.p.extent());
+    const Complex ik(0, k_x);
+    const Eigen::VectorXd zeta = Eigen::VectorXd::Random(nodes);
+    Eigen::VectorXcd flow = Eigen::VectorXcd::Zero(fluid.flow.unknowns()), by_velocity = flow,
+                     force = Eigen::VectorXcd::Zero(nodes), force_by_velocity = force;
+    const Displacement<Complex> step = motion.step(zeta);
+    motion.equations.set_grid(step, nullptr);
+    motion.add(1, -ik, flow, force);
+    if (k_x != 0) {
+      motion.equations.set_grid(still, &step);
+      motion.add(ik, -ik * ik, flow, force);
+    }
+    motion.equations.set_grid(still, nullptr);
+    motion.equations.set_grid_velocity(step);
+    motion.add(1, -ik, by_velocity, force_by_velocity);
+    EXPECT_LT((fluid.D_z(zeta) - flow).norm(), 1e-11 * flow.norm());
+    EXPECT_LT((fluid.D_e(zeta) - by_velocity).norm(), 1e-11 * by_velocity.norm());
+    EXPECT_LT((fluid.F_z * zeta - force).norm(), 1e-11 * force.norm());
+    EXPECT_LT((fluid.F_e * zeta - force_by_velocity).norm(), 1e-11 * force_by_velocity.norm());
+    const Complex lambda(0.3, 2);
+    EXPECT_LT(
+        (fluid.motion(lambda, 3, 5).col(1) - (fluid.D_z(Eigen::VectorXcd::Unit(nodes, 4)) +
+                                              lambda * fluid.D_e(Eigen::VectorXcd::Unit(nodes, 4))))
+            .norm(),
+        1e-12 * flow.norm());
+  }
 }
 
 // Frequencies of the flag by itself under the friction of Blasius' boundary layer.
@@ -139,17 +205,16 @@ TEST(GlobalSensitivity, IsTheDerivativeOfTheEigenvalue) {
     return coupled_operator(grid, base, flag_of(its, share), k_x);
   };
   const CoupledOperator coupled = operator_of(material, 1);
-  Eigenpair pair = eigenpair_near(coupled.A, coupled.B, {0, 2.5});
-  const Matrix A_adjoint = coupled.A.adjoint(), B_adjoint = coupled.B.adjoint();
-  set_adjoint(coupled.A, coupled.B,
-              eigenpair_near(A_adjoint, B_adjoint, std::conj(pair.lambda) + 1e-5).q, pair);
+  Eigenpair pair = eigenpair_near(coupled.assembled(), {0, 2.5});
+  const SparsePencil adjoint = coupled.assembled().adjoint();
+  set_adjoint(coupled, eigenpair_near(adjoint, std::conj(pair.lambda) + 1e-5).q, pair);
   EXPECT_LT(pair.adjoint_residual, 1e-11);
-  normalise(coupled.B, pair);
+  normalise(coupled, pair);
   const auto difference = [&](const dns::FlagMaterial& more, const dns::FlagMaterial& less,
                               double share, double step) {
     const CoupledOperator high = operator_of(more, 1 + share), low = operator_of(less, 1 - share);
-    return (eigenpair_near(high.A, high.B, pair.lambda).lambda -
-            eigenpair_near(low.A, low.B, pair.lambda).lambda) /
+    return (eigenpair_near(high.assembled(), pair.lambda).lambda -
+            eigenpair_near(low.assembled(), pair.lambda).lambda) /
            (2 * step);
   };
   const Sensitivity found = sensitivity(pair, coupled, material, flag_of);
@@ -173,10 +238,11 @@ TEST(GlobalSpectrum, InverseIterationFindsTheEigenvalueOfAPencilNextToTheTarget)
   A.insert(2, 2) = -5;
   B.insert(0, 0) = 1;
   B.insert(1, 1) = 2;
-  EXPECT_LT(std::abs(eigenpair_near(A, B, {0.8, 0.1}).lambda - 1.0), 1e-12);
-  const Eigenpair pair = eigenpair_near(A, B, {1, 1.2});
+  const SparsePencil pencil(A, B);
+  EXPECT_LT(std::abs(eigenpair_near(pencil, {0.8, 0.1}).lambda - 1.0), 1e-12);
+  const Eigenpair pair = eigenpair_near(pencil, {1, 1.2});
   EXPECT_LT(std::abs(pair.lambda - Complex(1, 1.5)), 1e-12);
-  EXPECT_LT(residual_of(A, B, pair), 1e-12);
+  EXPECT_LT(residual_of(pencil, pair), 1e-12);
 }
 
 TEST(GlobalSpectrum, MergesWhatTwoTargetsFoundTwiceAndKeepsTheBetter) {

@@ -26,7 +26,7 @@ Settings settings() {
 void expect_row(const std::string& file, CurveParameter parameter, double value) {
   const CsvTable table(std::string(PENNON_SOURCE_DIR "/data/reference/pennon/") + file);
   const FlagParameters flag{.mu = 1, .K_B = 1e-4, .gamma = {}};
-  Stations stations(flag, {.Re = 1000}, settings(), parameter);
+  Stations stations(flag, {.Re = 1000}, settings(), parameter, umfpack_factors());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (std::abs(*table.number(row, table.column(name(parameter))) - value) > 1e-9) continue;
     Station station = stations.at(value);

@@ -12,6 +12,7 @@
 #include "dns/wall_faces.hpp"
 #include "modes/global/coupled_operator.hpp"
 #include "modes/global/slepc/eigensolver.hpp"
+#include "modes/global/slepc/mumps_factors.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -60,7 +61,7 @@ Complex mode_in_still_fluid(double Re, double omega) {
       flag_operator(dns::coupled_chord(grid), dns::Edge::clamped, plate, at_rest.forces, 0, 1);
   const CoupledOperator coupled = coupled_operator(grid, at_rest, flag, 0);
   const Spectrum spectrum =
-      eigenpairs_near(coupled.A, coupled.B, {-0.05 * omega, 0.95 * omega}, 1, false);
+      coupled_eigenpairs_near(coupled, {-0.05 * omega, 0.95 * omega}, 1, false, mumps_factors());
   return spectrum.pairs.at(0).lambda;
 }
 

@@ -1,11 +1,10 @@
 #include "modes/global/slepc/eigensolver.hpp"
 
-#include <fmt/format.h>
 #include <slepceps.h>
 
 #include <algorithm>
+#include <functional>
 
-#include "common/errors.hpp"
 #include "common/petsc.hpp"
 
 #ifndef PETSC_USE_COMPLEX
@@ -18,95 +17,7 @@ namespace {
 using petsc::check;
 using Complex = std::complex<double>;
 using Solver = petsc::Handle<EPS, EPSDestroy>;
-static_assert(sizeof(PetscInt) == sizeof(int) && sizeof(PetscScalar) == sizeof(Complex));
-
-// A matrix of PETSc's on the numbers of one of Eigen's, which must outlive it.
-class SharedMatrix {
- public:
-  explicit SharedMatrix(const Eigen::SparseMatrix<Complex>& matrix) : rows_(matrix) {
-    rows_.makeCompressed();
-    check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, static_cast<PetscInt>(rows_.rows()),
-                                    static_cast<PetscInt>(rows_.cols()), rows_.outerIndexPtr(),
-                                    rows_.innerIndexPtr(), rows_.valuePtr(), handle_.address()));
-  }
-  operator Mat() const { return handle_; }
-
- private:
-  Eigen::SparseMatrix<Complex, Eigen::RowMajor> rows_;
-  petsc::Matrix handle_;
-};
-
-// Shift and invert, by factors of MUMPS.
-void set_transformation(EPS solver) {
-  ST transformation = nullptr;
-  KSP linear = nullptr;
-  PC factors = nullptr;
-  check(EPSGetST(solver, &transformation));
-  check(STSetType(transformation, STSINVERT));
-  check(STGetKSP(transformation, &linear));
-  check(KSPSetType(linear, KSPPREONLY));
-  check(KSPGetPC(linear, &factors));
-  check(PCSetType(factors, PCLU));
-  check(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
-  // The columns of the flag's nodes are dense. Approximate minimum degree (0) takes a third of the
-  // time of the orderings by dissection for such a matrix.
-  constexpr const char* ordering = "-global_st_mat_mumps_icntl_7";
-  PetscBool is_given = PETSC_FALSE;
-  check(PetscOptionsHasName(nullptr, nullptr, ordering, &is_given));
-  if (is_given == PETSC_FALSE) check(PetscOptionsSetValue(nullptr, ordering, "0"));
-}
-
-// Factors at last; what PETSc says of it becomes a sentence.
-void set_up(EPS solver, const Eigen::SparseMatrix<Complex>& A) {
-  try {
-    check(EPSSetUp(solver));
-  } catch (const SolverError& fault) {
-    throw SolverError(fmt::format(
-        "the global modes' matrix of {} unknowns could not be factored, perhaps for want of memory "
-        "({}); a smaller modes.global.n_rho or n_theta needs less",
-        A.rows(), fault.what()));
-  }
-}
-
-// T^H = B^H (A - target B)^-H, whose eigenvectors are those of T = (A - target B)^-1 B from the
-// left.
-class AdjointOperator {
- public:
-  AdjointOperator(EPS direct, Mat B) : B_(B) {
-    ST transformation = nullptr;
-    check(EPSGetST(direct, &transformation));
-    check(STGetKSP(transformation, &factors_));
-    check(MatCreateVecs(B, work_.address(), nullptr));
-    PetscInt n = 0;
-    check(VecGetSize(work_, &n));
-    check(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, this, shell_.address()));
-    check(MatShellSetOperation(shell_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
-  }
-
-  operator Mat() const { return shell_; }
-
-  /// to = (A - target B)^-H from.
-  PetscErrorCode solve(Vec from, Vec to) const {
-    PetscCall(VecCopy(from, work_));
-    PetscCall(VecConjugate(work_));
-    PetscCall(KSPSolveTranspose(factors_, work_, to));
-    return VecConjugate(to);
-  }
-
- private:
-  static PetscErrorCode multiply(Mat shell, Vec from, Vec to) {
-    AdjointOperator* self = nullptr;
-    PetscCall(MatShellGetContext(shell, &self));
-    PetscCall(self->solve(from, to));
-    PetscCall(VecCopy(to, self->work_));
-    return MatMultHermitianTranspose(self->B_, self->work_, to);
-  }
-
-  Mat B_;
-  KSP factors_ = nullptr;
-  petsc::Vector work_;
-  petsc::Matrix shell_;
-};
+static_assert(sizeof(PetscScalar) == sizeof(Complex));
 
 Eigen::VectorXcd copy_of(Vec vector) {
   PetscInt size = 0;
@@ -118,50 +29,97 @@ Eigen::VectorXcd copy_of(Vec vector) {
   return copy;
 }
 
-// The next pairs of a solver that has been set up.
+// A linear map of vectors as a matrix of PETSc's.
+class MapMatrix {
+ public:
+  using Map = std::function<Eigen::VectorXcd(const Eigen::VectorXcd&)>;
+
+  MapMatrix(Eigen::Index size, Map map) : size_(size), map_(std::move(map)) {
+    const auto n = static_cast<PetscInt>(size);
+    check(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, this, handle_.address()));
+    check(MatShellSetOperation(handle_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+  }
+  MapMatrix(const MapMatrix&) = delete;
+  MapMatrix& operator=(const MapMatrix&) = delete;
+
+  operator Mat() const { return handle_; }
+  Eigen::Index size() const { return size_; }
+  /// What the map threw inside PETSc is thrown again.
+  void rethrow() const {
+    if (caught_) std::rethrow_exception(caught_);
+  }
+
+ private:
+  static PetscErrorCode multiply(Mat shell, Vec from, Vec to) {
+    MapMatrix* self = nullptr;
+    PetscCall(MatShellGetContext(shell, &self));
+    return petsc::guarded(self->caught_, [&] {
+      const Eigen::VectorXcd image = self->map_(copy_of(from));
+      PetscScalar* values = nullptr;
+      check(VecGetArrayWrite(to, &values));
+      std::copy_n(image.data(), image.size(), values);
+      check(VecRestoreArrayWrite(to, &values));
+    });
+  }
+
+  Eigen::Index size_;
+  Map map_;
+  petsc::Matrix handle_;
+  std::exception_ptr caught_;
+};
+
+constexpr double tolerance = 1e-12;         // of SLEPc
+constexpr double greatest_residual = 1e-6;  // of what counts as converged
+constexpr int most_restarts = 300;
+
+// Of Krylov's space. The damped modes lie close together: with SLEPc's usual 25 vectors ten of them
+// take 340 products with T, with 80 vectors 157.
+int dimension(int pairs, Eigen::Index size) {
+  constexpr int least = 16, vectors_of_pair = 8, more = 120;
+  const int wanted = std::max(least, std::min(vectors_of_pair * pairs, 2 * pairs + more));
+  return static_cast<int>(std::min<Eigen::Index>(size, wanted));
+}
+
+// use(theta, vector) for the pairs of largest |theta| that converged, `most` at the most.
 template <class Use>
-void for_each_solution(EPS solver, Mat like, int most, const Use& use) {
-  check(EPSSolve(solver));
+void for_each_eigenpair(const MapMatrix& map, int most, const Use& use) {
+  Solver solver;
+  check(EPSCreate(PETSC_COMM_SELF, solver.address()));
+  check(EPSSetOperators(solver, map, nullptr));
+  check(EPSSetProblemType(solver, EPS_NHEP));
+  check(EPSSetWhichEigenpairs(solver, EPS_LARGEST_MAGNITUDE));
+  check(EPSSetDimensions(solver, most, dimension(most, map.size()), PETSC_DEFAULT));
+  check(EPSSetTolerances(solver, tolerance, most_restarts));
+  check(EPSSetOptionsPrefix(solver, "global_"));
+  check(EPSSetFromOptions(solver));
+  const PetscErrorCode failed = EPSSolve(solver);
+  map.rethrow();
+  check(failed);
   PetscInt converged = 0;
   check(EPSGetConverged(solver, &converged));
   petsc::Vector vector;
-  check(MatCreateVecs(like, vector.address(), nullptr));
+  check(MatCreateVecs(map, vector.address(), nullptr));
   for (PetscInt k = 0; k < std::min(converged, PetscInt{most}); ++k) {
-    PetscScalar value = 0;
-    check(EPSGetEigenpair(solver, k, &value, nullptr, vector, nullptr));
-    use(value, vector);
+    PetscScalar theta = 0;
+    check(EPSGetEigenpair(solver, k, &theta, nullptr, vector, nullptr));
+    use(theta, copy_of(vector));
   }
 }
 
-constexpr double tolerance = 1e-12;        // of SLEPc
-constexpr double largest_residual = 1e-6;  // of what counts as converged
-constexpr int most_restarts = 300;
-
-// Gives each pair its adjoint, and takes out those for which there is none.
-void find_adjoints(EPS direct, Mat shared_B, const Eigen::SparseMatrix<Complex>& A,
-                   const Eigen::SparseMatrix<Complex>& B, Complex target,
+// Gives each pair its adjoint, and takes out those for which there is none: those of T^H =
+// B^H (A - target B)^-H are B^H p.
+void find_adjoints(const Pencil& pencil, const ShiftedInverse& inverse, Complex target,
                    std::vector<Eigenpair>& pairs) {
-  const AdjointOperator adjoint(direct, shared_B);
-  Solver solver;
-  check(EPSCreate(PETSC_COMM_SELF, solver.address()));
-  check(EPSSetOperators(solver, adjoint, nullptr));
-  check(EPSSetProblemType(solver, EPS_NHEP));
-  check(EPSSetWhichEigenpairs(solver, EPS_LARGEST_MAGNITUDE));
-  check(
-      EPSSetDimensions(solver, static_cast<PetscInt>(pairs.size()), PETSC_DEFAULT, PETSC_DEFAULT));
-  check(EPSSetTolerances(solver, tolerance, most_restarts));
-  petsc::Vector p;
-  check(MatCreateVecs(shared_B, p.address(), nullptr));
-  for_each_solution(solver, shared_B, static_cast<int>(pairs.size()), [&](Complex theta, Vec w) {
+  const MapMatrix adjoint(pencil.size(), [&](const Eigen::VectorXcd& c) {
+    return pencil.B_adjoint(inverse.solve_adjoint(c));
+  });
+  for_each_eigenpair(adjoint, static_cast<int>(pairs.size()), [&](Complex theta, const auto& c) {
     const Complex lambda = target + 1.0 / std::conj(theta);
     for (Eigenpair& pair : pairs)
-      if (are_same(lambda, pair.lambda)) {
-        check(adjoint.solve(w, p));
-        set_adjoint(A, B, copy_of(p), pair);
-      }
+      if (are_same(lambda, pair.lambda)) set_adjoint(pencil, inverse.solve_adjoint(c), pair);
   });
   std::erase_if(pairs, [](const Eigenpair& pair) {
-    return pair.p.size() == 0 || !(pair.adjoint_residual < largest_residual);
+    return pair.p.size() == 0 || !(pair.adjoint_residual < greatest_residual);
   });
 }
 
@@ -175,34 +133,29 @@ SlepcSession::~SlepcSession() {
   SlepcFinalize();
 }
 
-Spectrum eigenpairs_near(const Eigen::SparseMatrix<Complex>& A,
-                         const Eigen::SparseMatrix<Complex>& B, Complex target, int requested,
-                         bool with_adjoints) {
-  const SharedMatrix shared_A(A), shared_B(B);
-  Solver solver;
-  check(EPSCreate(PETSC_COMM_SELF, solver.address()));
-  check(EPSSetOperators(solver, shared_A, shared_B));
-  check(EPSSetProblemType(solver, EPS_GNHEP));
-  check(EPSSetWhichEigenpairs(solver, EPS_TARGET_MAGNITUDE));
-  check(EPSSetTarget(solver, target));
-  check(EPSSetDimensions(solver, requested, PETSC_DEFAULT, PETSC_DEFAULT));
-  check(EPSSetTolerances(solver, tolerance, most_restarts));
-  set_transformation(solver);
-  check(EPSSetOptionsPrefix(solver, "global_"));
-  check(EPSSetFromOptions(solver));
-  set_up(solver, A);
+Spectrum eigenpairs_near(const Pencil& pencil, const ShiftedInverse& inverse, Complex target,
+                         int requested, bool with_adjoints) {
+  const MapMatrix T(pencil.size(),
+                    [&](const Eigen::VectorXcd& q) { return inverse.solve(pencil.B(q)); });
   std::vector<Eigenpair> pairs;
-  for_each_solution(solver, shared_A, requested, [&](Complex lambda, Vec q) {
-    Eigenpair pair{.lambda = lambda, .q = copy_of(q)};
-    pair.residual = residual_of(A, B, pair);
-    if (pair.residual < largest_residual) pairs.push_back(std::move(pair));
+  for_each_eigenpair(T, requested, [&](Complex theta, Eigen::VectorXcd q) {
+    Eigenpair pair{.lambda = target + 1.0 / theta, .q = std::move(q)};
+    pair.residual = residual_of(pencil, pair);
+    if (pair.residual < greatest_residual) pairs.push_back(std::move(pair));
   });
-  if (with_adjoints && !pairs.empty()) find_adjoints(solver, shared_B, A, B, target, pairs);
-  for (Eigenpair& pair : pairs) normalise(B, pair);
+  if (with_adjoints && !pairs.empty()) find_adjoints(pencil, inverse, target, pairs);
+  for (Eigenpair& pair : pairs) normalise(pencil, pair);
   Spectrum spectrum;
   spectrum.requested = requested;
   merge(std::move(pairs), spectrum);
   return spectrum;
+}
+
+Spectrum coupled_eigenpairs_near(const CoupledOperator& coupled, Complex target, int requested,
+                                 bool with_adjoints,
+                                 const std::shared_ptr<SparseFactors>& factors) {
+  return eigenpairs_near(coupled, ShiftedCoupled(coupled, target, factors), target, requested,
+                         with_adjoints);
 }
 
 }  // namespace pennon::modes::global

@@ -1,11 +1,12 @@
 /// A few eigenpairs of A q = lambda B q next to a target, by SLEPc: Krylov-Schur (Stewart 2001) on
-/// the shifted and inverted operator (A - target B)^-1 B, factored once by MUMPS. PETSc's options
-/// with the prefix global_ reach them.
+/// the shifted and inverted operator T = (A - target B)^-1 B, whose eigenvalues are
+/// 1/(lambda - target). SLEPc's options with the prefix global_ reach it.
 ///
 /// Part of the program pennon-global alone: complex PETSc, which no program with the real one
 /// holds.
 #pragma once
 
+#include "modes/global/shifted_inverse.hpp"
 #include "modes/global/spectrum.hpp"
 
 namespace pennon::modes::global {
@@ -20,11 +21,13 @@ class SlepcSession {
 };
 
 /// The `requested` pairs nearest to the target that converged, each with the residual found anew;
-/// `with_adjoints` those whose adjoint converged too, by the same factors transposed (a two-sided
-/// solver was seen to fail without saying so).
-/// Throws SolverError where the matrix cannot be factored.
-Spectrum eigenpairs_near(const Eigen::SparseMatrix<std::complex<double>>& A,
-                         const Eigen::SparseMatrix<std::complex<double>>& B,
-                         std::complex<double> target, int requested, bool with_adjoints);
+/// `with_adjoints` those whose adjoint converged too, by the same factors (a two-sided solver was
+/// seen to fail without saying so).
+Spectrum eigenpairs_near(const Pencil&, const ShiftedInverse&, std::complex<double> target,
+                         int requested, bool with_adjoints);
+
+/// The same of the coupled operator, with these factors for the flow's block.
+Spectrum coupled_eigenpairs_near(const CoupledOperator&, std::complex<double> target, int requested,
+                                 bool with_adjoints, const std::shared_ptr<SparseFactors>&);
 
 }  // namespace pennon::modes::global

@@ -1,0 +1,32 @@
+/// Solutions with a sparse matrix by its LU factors. The library behind is handed in where it
+/// matters: UMFPACK here, MUMPS in the program of the global modes (slepc/mumps_factors.hpp).
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <complex>
+#include <memory>
+
+namespace pennon::modes::global {
+
+class SparseFactors {
+ public:
+  using Matrix = Eigen::SparseMatrix<std::complex<double>>;
+
+  SparseFactors() = default;
+  SparseFactors(const SparseFactors&) = delete;
+  SparseFactors& operator=(const SparseFactors&) = delete;
+  virtual ~SparseFactors() = default;
+
+  /// In place of those of the last matrix; one with the same pattern is analysed once. Throws
+  /// SolverError where the matrix is singular or the memory is not enough.
+  virtual void factor(const Matrix&) = 0;
+  /// For each column of `right`.
+  virtual Eigen::MatrixXcd solve(const Eigen::MatrixXcd& right) const = 0;
+  /// With the matrix transposed and conjugated.
+  virtual Eigen::MatrixXcd solve_adjoint(const Eigen::MatrixXcd& right) const = 0;
+};
+
+/// By UMFPACK.
+std::shared_ptr<SparseFactors> umfpack_factors();
+
+}  // namespace pennon::modes::global
