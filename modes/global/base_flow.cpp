@@ -16,10 +16,13 @@ namespace {
 constexpr double first_Re = 10;
 constexpr double widest_step = 10;  // ratio of the Reynolds numbers of two solutions
 constexpr double least_step = 1.05;
-constexpr int most_iterations = 15;
-// Of a velocity or the pressure by an iteration, the last one: as its errors are squared from one
-// to the next, rounding is what it leaves.
-constexpr double last_change = 1e-7;
+constexpr int most_iterations = 25;
+constexpr double near = 0.03;               // changes of an unknown with which factors serve on
+constexpr double shrinking = 0.1;           // of one change to the next while they do
+constexpr double change_on_the_way = 1e-2;  // at which a Reynolds number before the last is left
+// Of a velocity or the pressure by an iteration, the last one: with factors from nearby the next
+// would be a hundred times smaller, rounding.
+constexpr double last_change = 1e-11;
 
 double largest_over_volume(const PlaneFlow<double>& R, const Field<double>& volume) {
   double largest = 0;
@@ -30,27 +33,35 @@ double largest_over_volume(const PlaneFlow<double>& R, const Field<double>& volu
   return largest;
 }
 
-// Newton's method at one Reynolds number.
+// Newton's method at one Reynolds number. Near the solution the last factors serve on: the change
+// then shrinks by about the change at which they were made, in a tenth of the time.
 class Newton {
  public:
   Newton(const OGrid& grid, const PlaneParameters& parameters, int components)
       : equations_(grid, parameters, components),
         complex_equations_(grid, parameters, components),
         unknowns_(equations_.extent(), components, Symmetry::symmetric),
-        R_(equations_.extent(), components) {}
+        R_(equations_.extent(), components) {
+    // Half the entries, and solutions that the next iteration corrects anyway.
+    factors_.umfpackControl()(UMFPACK_ORDERING) = UMFPACK_ORDERING_METIS;
+    factors_.umfpackControl()(UMFPACK_STRATEGY) = UMFPACK_STRATEGY_SYMMETRIC;
+    factors_.umfpackControl()(UMFPACK_IRSTEP) = 0;
+  }
 
-  // Whether q and is_inflow became a solution.
-  bool solve(PlaneFlow<double>& q, std::vector<bool>& is_inflow, BaseFlow& found) {
+  // Whether q and is_inflow became a solution, to the last change of an unknown.
+  bool solve(double enough, PlaneFlow<double>& q, std::vector<bool>& is_inflow, BaseFlow& found) {
     double change = 1;
+    bool do_factors_serve = false;
     for (int iteration = 0;; ++iteration) {
       equations_.set_inflow(is_inflow);
       equations_.evaluate(q, nullptr, R_, nullptr);
       found.residual = largest_over_volume(R_, equations_.metrics().volume);
       const std::vector<bool> last = std::exchange(is_inflow, find_inflow());
-      if (change < last_change && last == is_inflow) break;
+      if (change < enough && last == is_inflow) break;
       if (iteration == most_iterations || !std::isfinite(found.residual)) return false;
-      complex_equations_.set_inflow(last);
-      change = step(q);
+      if (!do_factors_serve || last != is_inflow) factor(q, last);
+      const double before = std::exchange(change, step(q));
+      do_factors_serve = change < near && change < shrinking * before;
       ++found.iterations;
       stop_if_interrupted("nothing is written before the modes are found");
     }
@@ -66,11 +77,15 @@ class Newton {
     return is_inflow;
   }
 
+  void factor(const PlaneFlow<double>& q, const std::vector<bool>& is_inflow) {
+    complex_equations_.set_inflow(is_inflow);
+    J_ = jacobian(complex_equations_, q, unknowns_, false).in_plane;
+    factors_.compute(J_);
+  }
+
   // The largest change of an unknown.
   double step(PlaneFlow<double>& q) {
-    const Jacobian J = jacobian(complex_equations_, q, unknowns_, false);
-    const Eigen::UmfPackLU<Eigen::SparseMatrix<double>> factors(J.in_plane);
-    const Eigen::VectorXd change = factors.solve(unknowns_.pack(R_));
+    const Eigen::VectorXd change = factors_.solve(unknowns_.pack(R_));
     unknowns_.unpack<double>(unknowns_.pack(q) - change, q);
     return change.lpNorm<Eigen::Infinity>();
   }
@@ -79,6 +94,8 @@ class Newton {
   PlaneEquations<std::complex<double>> complex_equations_;
   HalfPlane unknowns_;
   PlaneFlow<double> R_;
+  Eigen::SparseMatrix<double> J_;  // the factors refer to it
+  Eigen::UmfPackLU<Eigen::SparseMatrix<double>> factors_;
 };
 
 // Where the uniform stream enters.
@@ -114,7 +131,8 @@ BaseFlow base_flow(const OGrid& grid, const PlaneParameters& parameters, int com
     now.Re = std::min(parameters.Re, solved_Re == 0 ? first_Re : solved_Re * step);
     PlaneFlow<double> q = base.q;
     std::vector<bool> is_inflow = base.is_inflow;
-    if (Newton(grid, now, components).solve(q, is_inflow, base)) {
+    const double enough = now.Re == parameters.Re ? last_change : change_on_the_way;
+    if (Newton(grid, now, components).solve(enough, q, is_inflow, base)) {
       base.q = std::move(q);
       base.is_inflow = std::move(is_inflow);
       solved_Re = now.Re;
@@ -143,7 +161,7 @@ BaseFlow base_flow(const OGrid& grid, const PlaneParameters& parameters, int com
   }
   base.q.p = nearby.q.p;
   base.is_inflow = nearby.is_inflow;
-  if (!Newton(grid, parameters, components).solve(base.q, base.is_inflow, base))
+  if (!Newton(grid, parameters, components).solve(last_change, base.q, base.is_inflow, base))
     return base_flow(grid, parameters, components);
   find_tension(base);
   return base;

@@ -176,6 +176,37 @@ TEST(GlobalEigensolver, MergesTheModesOfSeveralTargetsIntoOneSpectrum) {
   EXPECT_EQ(merged.requested, 6);
 }
 
+// Without a target. Turning the cross-flow round is a reflection of the span: it conjugates lambda.
+TEST(GlobalEigensolver, SeeksWavesOfEitherDirectionInACrossFlow) {
+  start();
+  FlagParameters flag;
+  flag.mu = 0.3;
+  flag.K_B = 1e-3;
+  flag.gamma = 3;
+  Settings settings;
+  settings.n_modes = 6;
+  settings = resolve(settings, flag, {16, 32, 12, 4, 0.05, 0, 0.02});
+  const auto modes_with = [&](double U) {
+    return run(flag, {.Re = 300, .U = U}, settings,
+               [factors = mumps_factors()](const CoupledOperator& coupled, Complex near,
+                                           int n_modes, bool with_adjoints) {
+                 return coupled_eigenpairs_near(coupled, near, n_modes, with_adjoints, factors);
+               })
+        .modes;
+  };
+  const std::vector<GlobalMode> along = modes_with(0.5), turned = modes_with(-0.5),
+                                without = modes_with(0);
+  ASSERT_EQ(along.size(), 6u);
+  ASSERT_EQ(turned.size(), 6u);
+  // The wave that travels with the cross-flow, exp(i (k_x x + omega t)) with omega < 0, grows most.
+  EXPECT_LT(along[0].lambda.imag(), -1);
+  EXPECT_TRUE(std::ranges::any_of(along, [](const auto& mode) { return mode.lambda.imag() > 1; }));
+  for (std::size_t k = 0; k < along.size(); ++k)
+    EXPECT_LT(std::abs(along[k].lambda - std::conj(turned[k].lambda)), 1e-8) << k;
+  EXPECT_TRUE(std::ranges::all_of(
+      without, [](const GlobalMode& mode) { return mode.lambda.imag() > -1e-6; }));
+}
+
 TEST(GlobalEigensolver, SurvivesATargetOnAnEigenvalue) {
   start();
   constexpr int n = 40;
