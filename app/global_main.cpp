@@ -7,6 +7,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -14,6 +15,7 @@
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
 #include "common/petsc.hpp"
+#include "common/ranks.hpp"
 #include "modes/global/fields_file.hpp"
 #include "modes/global/growth_map.hpp"
 #include "modes/global/neutral_curve.hpp"
@@ -31,11 +33,23 @@ constexpr int exit_other = 1;
 constexpr int exit_bad_input = 2;
 constexpr int exit_not_converged = 3;
 
+// A rank that fails by itself ends all, for the others would wait for it.
+void serve() {
+  try {
+    global::serve_mumps_factors();
+  } catch (const std::exception& fault) {
+    fmt::print(stderr, "pennon: {}\n", fault.what());
+    ranks::abandon(exit_other);
+  }
+}
+
 void solve(const char* problem_file, const char* result_file) {
-  global::Problem problem;
-  read_case_file(problem_file, {}, problem.schema).raise();
   const petsc::Session session;
   const global::SlepcSession slepc;
+  if (!ranks::is_leading()) return serve();
+  const global::MumpsRanks others;
+  global::Problem problem;
+  read_case_file(problem_file, {}, problem.schema).raise();
   const auto eigenpairs = [factors = global::mumps_factors()](
                               const global::CoupledOperator& coupled, std::complex<double> target,
                               int n_modes, bool with_adjoints) {
@@ -70,6 +84,11 @@ int main(int argc, char** argv) {
     return exit_bad_input;
   } catch (const SolverError& fault) {
     fmt::print(stderr, "pennon: {}\n", fault.what());
+    return exit_not_converged;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr,
+               "pennon: there is not enough memory for the global modes; a smaller "
+               "modes.global.n_rho or n_theta needs less\n");
     return exit_not_converged;
   } catch (const std::exception& fault) {
     fmt::print(stderr, "pennon: {}\n", fault.what());

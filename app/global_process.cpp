@@ -14,6 +14,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "common/atomic_file.hpp"
 #include "common/errors.hpp"
@@ -51,13 +52,14 @@ std::string read_all(int pipe_end, pid_t child) {
   }
 }
 
-// Runs a program to its end, with its standard error taken down.
-ProcessEnd run_program(const std::filesystem::path& program, const std::filesystem::path& first,
-                       const std::filesystem::path& second) {
+// Runs a program, the first of the words, to its end, with its standard error taken down.
+ProcessEnd run_program(const std::vector<std::string>& words) {
   std::array<int, 2> pipe_ends{};
   if (pipe(pipe_ends.data()) != 0) fail("no pipe to pennon-global");
-  const std::array<const char*, 4> arguments = {program.c_str(), first.c_str(), second.c_str(),
-                                                nullptr};
+  std::vector<const char*> arguments;
+  arguments.reserve(words.size() + 1);
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  arguments.push_back(nullptr);
   const pid_t parent = getpid(), child = fork();
   if (child < 0) fail("pennon-global cannot be started");
   if (child == 0) {
@@ -66,7 +68,7 @@ ProcessEnd run_program(const std::filesystem::path& program, const std::filesyst
     dup2(pipe_ends[1], STDERR_FILENO);
     close(pipe_ends[0]);
     close(pipe_ends[1]);
-    execv(program.c_str(), const_cast<char* const*>(arguments.data()));
+    execv(arguments[0], const_cast<char* const*>(arguments.data()));
     _exit(127);
   }
   close(pipe_ends[1]);
@@ -91,9 +93,11 @@ std::filesystem::path program_beside_this() {
   return program;
 }
 
-// The sentence without the name of the program before it.
+// The sentence without the name of the program before it, and without what mpiexec says of a
+// program that failed.
 std::string sentence_of(std::string errors) {
-  constexpr std::string_view name = "pennon: ";
+  constexpr std::string_view name = "pennon: ", of_mpiexec = "\n-----";
+  errors = errors.substr(0, errors.find(of_mpiexec));
   while (!errors.empty() && errors.back() == '\n') errors.pop_back();
   return errors.starts_with(name) ? errors.substr(name.size()) : errors;
 }
@@ -125,7 +129,15 @@ nlohmann::ordered_json solve_global_modes(const modes::global::Problem& problem,
   const std::filesystem::path asked = folder / "global_problem.toml",
                               answered = folder / "global_modes.json";
   write_file(asked, "# What pennon-global solved.\n" + resolved_text(problem.schema));
-  raise(run_program(program_beside_this(), asked, answered));
+  std::vector<std::string> words = {program_beside_this(), asked, answered};
+  const std::int64_t ranks = problem.settings.ranks;
+  if (ranks > 1) {
+    if (access(PENNON_MPIEXEC, X_OK) != 0)
+      throw InputError("modes.global.ranks",
+                       fmt::format("{} ranks need {}, which is not there", ranks, PENNON_MPIEXEC));
+    words.insert(words.begin(), {PENNON_MPIEXEC, "-n", std::to_string(ranks)});
+  }
+  raise(run_program(words));
   std::ifstream file(answered);
   return nlohmann::ordered_json::parse(file);
 }

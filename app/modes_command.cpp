@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <filesystem>
 #include <numbers>
 
 #include "analysis/plot.hpp"
@@ -76,11 +77,20 @@ std::string text_of_global(const nlohmann::ordered_json& found) {
   return text;
 }
 
+// Of an earlier run, which may have had more modes, or adjoints.
+void remove_pictures_of_modes(const OutputFolder& folder) {
+  std::vector<std::filesystem::path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    if (entry.path().filename().string().starts_with("global_modes_mode_")) old.push_back(entry);
+  for (const std::filesystem::path& picture : old) std::filesystem::remove(picture);
+}
+
 nlohmann::ordered_json global_modes(const Case& the_case, const OutputFolder& folder) {
   const modes::global::Problem problem(the_case.flag, the_case.flow, the_case.global_modes);
   nlohmann::ordered_json found = solve_global_modes(problem, folder);
   if (!found["global"]["modes"].empty()) {
     write_global_tables(found, folder);
+    remove_pictures_of_modes(folder);
     analysis::plot(folder / "global_modes.h5");
   }
   return found;

@@ -59,7 +59,7 @@ class Newton {
       const std::vector<bool> last = std::exchange(is_inflow, find_inflow());
       if (change < enough && last == is_inflow) break;
       if (iteration == most_iterations || !std::isfinite(found.residual)) return false;
-      if (!do_factors_serve || last != is_inflow) factor(q, last);
+      if ((!do_factors_serve || last != is_inflow) && !factor(q, last)) return false;
       const double before = std::exchange(change, step(q));
       do_factors_serve = change < near && change < shrinking * before;
       ++found.iterations;
@@ -77,10 +77,17 @@ class Newton {
     return is_inflow;
   }
 
-  void factor(const PlaneFlow<double>& q, const std::vector<bool>& is_inflow) {
+  // Whether the matrix is regular, as it is not at a fold of the flow over the Reynolds number.
+  bool factor(const PlaneFlow<double>& q, const std::vector<bool>& is_inflow) {
     complex_equations_.set_inflow(is_inflow);
     J_ = jacobian(complex_equations_, q, unknowns_, false).in_plane;
     factors_.compute(J_);
+    if (factors_.umfpackFactorizeReturncode() == UMFPACK_ERROR_out_of_memory)
+      throw SolverError(
+          fmt::format("there is not enough memory for the factors of {} unknowns of the "
+                      "steady flow; a smaller modes.global.n_rho or n_theta needs less",
+                      J_.rows()));
+    return factors_.info() == Eigen::Success;
   }
 
   // The largest change of an unknown.

@@ -228,8 +228,11 @@ void write_flag_feedback(const Result& result, const std::filesystem::path& file
 void write_fields(const Result& result, const std::filesystem::path& folder) {
   const FieldsFile written(result, folder);
   const std::vector<ModeFields>& modes = result.fields.modes;
+  const std::filesystem::path feedback = folder / "global_flag_feedback.csv";
   if (std::ranges::all_of(modes, [](const ModeFields& mode) { return mode.adjoint.has_value(); }))
-    write_flag_feedback(result, folder / "global_flag_feedback.csv");
+    write_flag_feedback(result, feedback);
+  else
+    std::filesystem::remove(feedback);  // of an earlier run
 }
 
 }  // namespace pennon::modes::global

@@ -54,7 +54,11 @@ void declare(Schema& schema, Settings& settings) {
       .key(
           {"adjoint", &settings.adjoint,
            "find the adjoint modes too, and what a little more of mu, K_B, nu_s or tension does to "
-           "each mode"});
+           "each mode"})
+      .key({"ranks", &settings.ranks,
+            "processes that share the sparse factors and the solutions with them, started by "
+            "mpiexec",
+            Range{1, 1024}});
   declare(schema, settings.neutral);
   declare(schema, settings.map);
 }

@@ -248,6 +248,44 @@ TEST_F(ModesGlobal, NamesWhatIsWrongWithTheInput) {
   EXPECT_THAT(outcome.err, HasSubstr("does not know flag.gravity"));
 }
 
+TEST_F(ModesGlobal, OnSeveralRanksFindsTheSame) {
+  allow_ranks();
+  const std::string file = case_file("n_modes = 3\nadjoint = true\n", "gamma = 2\n");
+  const auto modes = [&](int ranks) {
+    const Outcome outcome =
+        pennon({"modes", file, "--set", fmt::format("modes.global.ranks={}", ranks), "--json",
+                "--output", results()});
+    EXPECT_EQ(outcome.status, done) << outcome.err;
+    return json::parse(outcome.out).at("global").at("modes");
+  };
+  const json one = modes(1), two = modes(2);
+  ASSERT_EQ(one.size(), 3u);
+  ASSERT_EQ(two.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_LT(two[k].at("residual"), 1e-9);
+    EXPECT_LT(two[k].at("adjoint_residual"), 1e-9);
+    EXPECT_NEAR(two[k].at("growth"), one[k].at("growth"), 1e-8);
+    EXPECT_NEAR(two[k].at("omega"), one[k].at("omega"), 1e-8);
+  }
+}
+
+// MUMPS may have one megabyte.
+TEST_F(ModesGlobal, SaysWhatMemoryItsFactorsNeed) {
+  allow_ranks();
+  setenv("PETSC_OPTIONS", "-global_mat_mumps_icntl_23 1", 1);
+  for (const char* ranks : {"1", "2"}) {
+    const Outcome outcome =
+        pennon({"modes", case_file("target = [0.4, 2.6]\n"), "--set",
+                std::string("modes.global.ranks=") + ranks, "--output", results()});
+    EXPECT_EQ(outcome.status, test::not_converged);
+    EXPECT_THAT(outcome.err, HasSubstr("the factors of 768 unknowns need about"));
+    EXPECT_THAT(outcome.err, HasSubstr("a smaller modes.global.n_rho or n_theta needs less"));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("mpiexec")));
+    EXPECT_FALSE(std::filesystem::exists(results() + "/global_modes.json"));
+  }
+  unsetenv("PETSC_OPTIONS");
+}
+
 TEST_F(ModesGlobal, PassesOnWhatItsProgramSays) {
   const Outcome outcome =
       pennon({"modes", case_file("wall_spacing = 1e-6\n"), "--output", results()});

@@ -60,12 +60,15 @@ class Commands : public testing::Test {
   Outcome pennon(const std::vector<std::string>& arguments) {
     return finish(start_in_background(arguments));
   }
-  /// mpiexec -n ranks pennon ...
-  Outcome pennon_on(int ranks, std::vector<std::string> arguments) {
-    // Open MPI asks for these from a superuser, and on fewer cores than ranks.
+  /// What Open MPI asks for from a superuser, and on fewer cores than ranks.
+  static void allow_ranks() {
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
+  }
+  /// mpiexec -n ranks pennon ...
+  Outcome pennon_on(int ranks, std::vector<std::string> arguments) {
+    allow_ranks();
     arguments.insert(arguments.begin(),
                      {PENNON_MPIEXEC, "-n", std::to_string(ranks), PENNON_EXECUTABLE});
     return finish(start_program(arguments, folder_ / "out.txt", folder_ / "err.txt"));
