@@ -19,6 +19,7 @@ constexpr double longest_step = 1;    // of omega
 constexpr double scan_spacing = 0.1;  // of omega
 constexpr double reach = 1.5;         // spacings within which a zero is sought
 constexpr double same_frequency = 1e-4;
+constexpr double nearby = 0.5;  // Im mu over Re mu
 
 // Mass ratio and slope of one mode at a frequency.
 struct Branch {
@@ -26,14 +27,19 @@ struct Branch {
   Eigen::VectorXcd zeta, psi;
 };
 
-// All the mass ratios at a frequency.
+// (omega^2 m)^-1 (K - F), whose eigenvalues are the mass ratios.
+Eigen::MatrixXcd over_inertia(const Eigen::MatrixXcd& F, const FlagOperator& flag, double omega) {
+  const Eigen::VectorXcd scale = (omega * omega * flag.mass).cast<Complex>().cwiseInverse();
+  return scale.asDiagonal() * (flag.stiffness - F);
+}
+
+// All the mass ratios at a frequency, with their modes.
 class MassRatios {
  public:
   MassRatios(const Response& response, const FlagOperator& flag, double omega)
       : response_(response), flag_(flag), omega_(omega) {
-    const Eigen::VectorXcd scale = (omega * omega * flag.mass).cast<Complex>().cwiseInverse();
-    solver_.compute(scale.asDiagonal() * (flag.stiffness - response.F));
-    from_left_ = solver_.eigenvectors().partialPivLu().inverse();
+    solver_.compute(over_inertia(response.F, flag, omega));
+    vectors_.compute(solver_.eigenvectors());
   }
 
   Index count() const { return solver_.eigenvalues().size(); }
@@ -47,8 +53,9 @@ class MassRatios {
   Branch branch(Index k) const {
     Branch found{mu(k), 0, solver_.eigenvectors().col(k), {}};
     // The rows of the inverse are those from the left of m^-1 (K - F).
-    const Eigen::VectorXcd mass = flag_.mass.cast<Complex>();
-    found.psi = from_left_.row(k).adjoint().cwiseQuotient(mass);
+    const Eigen::VectorXcd mass = flag_.mass.cast<Complex>(),
+                           row = Eigen::VectorXcd::Unit(count(), k);
+    found.psi = Eigen::VectorXcd(vectors_.adjoint().solve(row)).cwiseQuotient(mass);
     const Eigen::VectorXcd inertia = mass.cwiseProduct(found.zeta);
     found.slope = found.psi.dot(Complex(0, -1) * response_.derivative(found.zeta) -
                                 2 * omega_ * found.mu * inertia) /
@@ -61,7 +68,7 @@ class MassRatios {
   const FlagOperator& flag_;
   double omega_;
   Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver_;
-  Eigen::MatrixXcd from_left_;
+  Eigen::PartialPivLU<Eigen::MatrixXcd> vectors_;
 };
 
 // With lambda = i omega along the branch, d lambda/d mu = i / (d mu/d omega), continued off the
@@ -71,10 +78,41 @@ NeutralMode mode_of(const Branch& branch, double omega, double step, int evaluat
           branch.zeta.normalized(), evaluations};
 }
 
+bool is_in_reach(Complex ratio, const Interval& mu) {
+  return mu.low / 2 <= ratio.real() && ratio.real() <= 2 * mu.high;
+}
+
 }  // namespace
+
+std::vector<Interval> frequency_windows(const Interval& size, bool is_symmetric) {
+  if (is_symmetric) return {size};
+  return {size, {-size.high, -size.low}};
+}
+
+Eigen::VectorXcd mass_ratios(const Eigen::MatrixXcd& F, const FlagOperator& flag, double omega) {
+  constexpr bool with_vectors = false;
+  return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(over_inertia(F, flag, omega), with_vectors)
+      .eigenvalues();
+}
+
+ShapesNearby shapes_nearby(const Response& response, const FlagOperator& flag, double omega,
+                           const Interval& mu) {
+  const MassRatios ratios(response, flag, omega);
+  ShapesNearby found;
+  for (Index k = 0; k < ratios.count(); ++k) {
+    const Complex ratio = ratios.mu(k);
+    if (!is_in_reach(ratio, mu) || std::abs(ratio.imag()) > nearby * ratio.real()) continue;
+    const Branch branch = ratios.branch(k);
+    found.mu.push_back(ratio);
+    found.shapes.push_back(branch.zeta);
+    found.shapes.push_back(branch.psi);
+  }
+  return found;
+}
 
 std::optional<NeutralMode> neutral_mode(const Aerodynamics& F, const FlagOperator& flag,
                                         double omega, double mu) {
+  const double sign = std::copysign(1, omega);
   Complex near = mu;
   for (int evaluation = 1; evaluation <= most_evaluations; ++evaluation) {
     stop_if_interrupted("no neutral curve was written");
@@ -89,7 +127,7 @@ std::optional<NeutralMode> neutral_mode(const Aerodynamics& F, const FlagOperato
       return std::nullopt;
     }
     omega += step;
-    if (!(omega > 0)) return std::nullopt;
+    if (!(sign * omega > 0)) return std::nullopt;
     near = branch.mu + branch.slope * step;
   }
   return std::nullopt;
@@ -116,7 +154,7 @@ std::vector<NeutralMode> neutral_modes(const Aerodynamics& F, const FlagOperator
       const MassRatios ratios(response, flag, at);
       for (Index k = 0; k < ratios.count(); ++k) {
         const Complex ratio = ratios.mu(k);
-        if (ratio.real() < mu.low / 2 || ratio.real() > 2 * mu.high) continue;
+        if (!is_in_reach(ratio, mu)) continue;
         const Branch branch = ratios.branch(k);
         const double step = -ratio.imag() / branch.slope.imag();
         if (std::abs(step) < reach * spacing) {

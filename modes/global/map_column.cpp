@@ -1,0 +1,62 @@
+#include "modes/global/map_column.hpp"
+
+#include <algorithm>
+
+namespace pennon::modes::global {
+namespace {
+
+// Keeps what it follows where it grows most.
+class Tracer {
+ public:
+  Tracer(const ResponseInWindow& response, std::size_t window, const FlagOperator& flag,
+         const std::vector<double>& mu, MapColumn& column)
+      : F_(response.F), window_(window), flag_(flag), mu_(mu), column_(column) {}
+
+  // Up and down from where the mode is neutral.
+  void trace(const NeutralMode& neutral) {
+    const FlagMode start{std::complex<double>(0, neutral.omega), neutral.zeta, neutral.by_mu};
+    const auto above =
+        static_cast<std::size_t>(std::ranges::lower_bound(mu_, neutral.mu) - mu_.begin());
+    std::optional<FlagMode> mode = start;
+    double from = neutral.mu;
+    for (std::size_t m = above; m < mu_.size() && mode; ++m) step(from, m, mode);
+    mode = start;
+    from = neutral.mu;
+    for (std::size_t m = above; m-- > 0 && mode;) step(from, m, mode);
+  }
+
+ private:
+  void step(double& from, std::size_t m, std::optional<FlagMode>& mode) {
+    mode = followed(F_, flag_, from, mu_[m], *mode);
+    from = mu_[m];
+    if (!mode) return;
+    std::optional<ColumnMode>& most = column_.most[m];
+    if (!most || mode->lambda.real() > most->mode.lambda.real()) most = {window_, *mode};
+  }
+
+  const Aerodynamics& F_;
+  std::size_t window_;
+  const FlagOperator& flag_;
+  const std::vector<double>& mu_;
+  MapColumn& column_;
+};
+
+}  // namespace
+
+MapColumn map_column(const std::vector<ResponseInWindow>& responses, const FlagOperator& flag,
+                     const std::vector<double>& mu, const Interval& mu_of_modes) {
+  MapColumn column;
+  column.most.resize(mu.size());
+  for (std::size_t window = 0; window < responses.size(); ++window) {
+    const ResponseInWindow& response = responses[window];
+    Tracer tracer(response, window, flag, mu, column);
+    for (const NeutralMode& mode : neutral_modes(response.F, flag, response.omega, mu_of_modes)) {
+      column.neutral.push_back(mode.mu);
+      tracer.trace(mode);
+    }
+  }
+  std::ranges::sort(column.neutral);
+  return column;
+}
+
+}  // namespace pennon::modes::global

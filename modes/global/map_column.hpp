@@ -1,0 +1,35 @@
+/// The modes of a flag over a list of mass ratios, for one flow and one K: a column of a map of
+/// growth rates. Every mode that grows somewhere does so from some mass ratio on; it is followed
+/// over mu from where it is neutral, up and down.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "modes/global/flag_mode.hpp"
+
+namespace pennon::modes::global {
+
+/// The fluid's response in a window of the angular frequency.
+struct ResponseInWindow {
+  Interval omega;
+  Aerodynamics F;
+};
+
+struct ColumnMode {
+  std::size_t window;  ///< in which it is neutral
+  FlagMode mode;
+};
+
+struct MapColumn {
+  /// For each mass ratio the mode that grows most, where there is one.
+  std::vector<std::optional<ColumnMode>> most;
+  std::vector<double> neutral;  ///< mass ratios of neutral modes, in increasing order
+};
+
+/// `mu`: increasing. `mu_of_modes`: neutral modes are sought there.
+MapColumn map_column(const std::vector<ResponseInWindow>&, const FlagOperator& flag,
+                     const std::vector<double>& mu, const Interval& mu_of_modes);
+
+}  // namespace pennon::modes::global
