@@ -36,7 +36,8 @@ class FlagBasis {
   FlagOperator reduced(const FlagOperator&) const;
   Eigen::MatrixXcd reduced(const Eigen::MatrixXcd& F) const { return V_.adjoint() * F * V_; }
   RationalFit reduced(const RationalFit& F) const { return F.projected(V_); }
-  Eigen::VectorXcd shape(const Eigen::VectorXcd& a) const { return V_ * a; }
+  /// V a, also where `a` is from before the last shapes were added.
+  Eigen::VectorXcd shape(const Eigen::VectorXcd& a) const { return V_.leftCols(a.size()) * a; }
 
  private:
   Eigen::VectorXd mass_;

@@ -65,7 +65,7 @@ class Map {
   }
 
   void take(const MapColumn& column, std::size_t i) {
-    map_.neutral[i] = column.neutral;
+    for (const ColumnNeutral& neutral : column.neutral) map_.neutral[i].push_back(neutral.mu);
     for (std::size_t m = 0; m < map_.mu.size(); ++m)
       if (const std::optional<ColumnMode>& most = column.most[m]) {
         map_.growth[m][i] = most->mode.lambda.real();

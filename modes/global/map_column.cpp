@@ -1,6 +1,7 @@
 #include "modes/global/map_column.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pennon::modes::global {
 namespace {
@@ -41,21 +42,41 @@ class Tracer {
   MapColumn& column_;
 };
 
+// Those known, found again; none where one is lost.
+std::vector<NeutralMode> found_again(const ResponseInWindow& response, std::size_t window,
+                                     const FlagOperator& flag, const MapColumn& known) {
+  constexpr double same = 0.01;  // of omega, and of the logarithm of mu
+  std::vector<NeutralMode> found;
+  for (const ColumnNeutral& before : known.neutral) {
+    if (before.window != window) continue;
+    auto mode = neutral_mode(response.F, flag, before.omega, before.mu);
+    if (!mode || std::abs(mode->omega - before.omega) > same ||
+        std::abs(mode->mu / before.mu - 1) > same)
+      return {};
+    found.push_back(std::move(*mode));
+  }
+  return found;
+}
+
 }  // namespace
 
 MapColumn map_column(const std::vector<ResponseInWindow>& responses, const FlagOperator& flag,
-                     const std::vector<double>& mu, const Interval& mu_of_modes) {
+                     const std::vector<double>& mu, const Interval& mu_of_modes,
+                     const MapColumn* known) {
   MapColumn column;
   column.most.resize(mu.size());
   for (std::size_t window = 0; window < responses.size(); ++window) {
     const ResponseInWindow& response = responses[window];
+    std::vector<NeutralMode> neutral;
+    if (known) neutral = found_again(response, window, flag, *known);
+    if (neutral.empty()) neutral = neutral_modes(response.F, flag, response.omega, mu_of_modes);
     Tracer tracer(response, window, flag, mu, column);
-    for (const NeutralMode& mode : neutral_modes(response.F, flag, response.omega, mu_of_modes)) {
-      column.neutral.push_back(mode.mu);
+    for (const NeutralMode& mode : neutral) {
+      column.neutral.push_back({window, mode.omega, mode.mu});
       tracer.trace(mode);
     }
   }
-  std::ranges::sort(column.neutral);
+  std::ranges::sort(column.neutral, {}, &ColumnNeutral::mu);
   return column;
 }
 

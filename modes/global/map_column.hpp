@@ -22,14 +22,21 @@ struct ColumnMode {
   FlagMode mode;
 };
 
+struct ColumnNeutral {
+  std::size_t window;
+  double omega, mu;
+};
+
 struct MapColumn {
   /// For each mass ratio the mode that grows most, where there is one.
   std::vector<std::optional<ColumnMode>> most;
-  std::vector<double> neutral;  ///< mass ratios of neutral modes, in increasing order
+  std::vector<ColumnNeutral> neutral;  ///< all neutral modes, by their mass ratios
 };
 
-/// `mu`: increasing. `mu_of_modes`: neutral modes are sought there.
+/// `mu`: increasing. `mu_of_modes`: neutral modes are sought there; or where they were in `known`,
+/// the column with a slightly different response, as far as they are found again.
 MapColumn map_column(const std::vector<ResponseInWindow>&, const FlagOperator& flag,
-                     const std::vector<double>& mu, const Interval& mu_of_modes);
+                     const std::vector<double>& mu, const Interval& mu_of_modes,
+                     const MapColumn* known = nullptr);
 
 }  // namespace pennon::modes::global

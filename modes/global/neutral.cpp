@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/interrupt.hpp"
 
@@ -17,9 +18,10 @@ constexpr double neutral_to = 1e-6;  // |Im mu| over |mu|: its square is the err
 constexpr int most_evaluations = 12;
 constexpr double longest_step = 1;    // of omega
 constexpr double scan_spacing = 0.1;  // of omega
-constexpr double reach = 1.5;         // spacings within which a zero is sought
+constexpr double reach = 1;           // spacings beyond a cell within which a zero is sought
 constexpr double same_frequency = 1e-4;
-constexpr double nearby = 0.5;  // Im mu over Re mu
+constexpr double same_start = 0.02;  // that of a mode known, from another cell
+constexpr double nearby = 1;         // of omega
 
 // Mass ratio and slope of one mode at a frequency.
 struct Branch {
@@ -82,6 +84,28 @@ bool is_in_reach(Complex ratio, const Interval& mu) {
   return mu.low / 2 <= ratio.real() && ratio.real() <= 2 * mu.high;
 }
 
+// Where a mass ratio may be real: so much of a cell of frequencies from its beginning.
+struct Zero {
+  double share, mu;
+};
+
+// By the straight line between each mass ratio at the cell's beginning and the nearest one at its
+// end, and some way beyond both.
+std::vector<Zero> zeros_nearby(const Eigen::VectorXcd& here, const Eigen::VectorXcd& there,
+                               const Interval& mu) {
+  std::vector<Zero> found;
+  for (const Complex ratio : here) {
+    if (!is_in_reach(ratio, mu)) continue;
+    Index nearest = 0;
+    (there.array() - ratio).abs().minCoeff(&nearest);
+    const Complex change = there[nearest] - ratio;
+    const double share = -ratio.imag() / change.imag();
+    if (-reach < share && share < 1 + reach)
+      found.push_back({share, (ratio + change * share).real()});
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Interval> frequency_windows(const Interval& size, bool is_symmetric) {
@@ -100,10 +124,11 @@ ShapesNearby shapes_nearby(const Response& response, const FlagOperator& flag, d
   const MassRatios ratios(response, flag, omega);
   ShapesNearby found;
   for (Index k = 0; k < ratios.count(); ++k) {
-    const Complex ratio = ratios.mu(k);
-    if (!is_in_reach(ratio, mu) || std::abs(ratio.imag()) > nearby * ratio.real()) continue;
+    if (!is_in_reach(ratios.mu(k), mu)) continue;
     const Branch branch = ratios.branch(k);
-    found.mu.push_back(ratio);
+    const double step = -branch.mu.imag() / branch.slope.imag();
+    if (std::abs(step) > nearby || !is_in_reach(branch.mu + branch.slope * step, mu)) continue;
+    found.mu.push_back(branch.mu);
     found.shapes.push_back(branch.zeta);
     found.shapes.push_back(branch.psi);
   }
@@ -138,34 +163,27 @@ std::vector<NeutralMode> neutral_modes(const Aerodynamics& F, const FlagOperator
   const int cells = std::max(1, static_cast<int>((omega.high - omega.low) / scan_spacing));
   const double spacing = (omega.high - omega.low) / cells;
   std::vector<NeutralMode> found;
-  const auto add = [&](const NeutralMode& mode) {
-    if (!omega.contains(mode.omega) || !mu.contains(mode.mu)) return;
-    const bool is_known = std::ranges::any_of(found, [&](const NeutralMode& known) {
-      return std::abs(known.omega - mode.omega) < same_frequency &&
-             std::abs(known.mu - mode.mu) < same_frequency * mode.mu;
+  const auto is_known = [&](double its_omega, double its_mu, double same) {
+    return std::ranges::any_of(found, [&](const NeutralMode& known) {
+      return std::abs(known.omega - its_omega) < same &&
+             std::abs(known.mu - its_mu) < same * its_mu;
     });
-    if (!is_known) found.push_back(mode);
   };
-  for (int cell = 0; cell <= cells; ++cell) {
-    const double at = omega.low + cell * spacing;
-    std::vector<double> starts;
-    {
-      const Response response = F(Complex(0, at));
-      const MassRatios ratios(response, flag, at);
-      for (Index k = 0; k < ratios.count(); ++k) {
-        const Complex ratio = ratios.mu(k);
-        if (!is_in_reach(ratio, mu)) continue;
-        const Branch branch = ratios.branch(k);
-        const double step = -ratio.imag() / branch.slope.imag();
-        if (std::abs(step) < reach * spacing) {
-          // From the predicted zero.
-          starts.push_back(at + step);
-          starts.push_back((ratio + branch.slope * step).real());
-        }
-      }
+  const auto ratios_at = [&](int point) {
+    const double at = omega.low + point * spacing;
+    return mass_ratios(F(Complex(0, at)).F, flag, at);
+  };
+  Eigen::VectorXcd next = ratios_at(0);
+  for (int cell = 0; cell < cells; ++cell) {
+    const Eigen::VectorXcd here = std::exchange(next, ratios_at(cell + 1));
+    for (const Zero& start : zeros_nearby(here, next, mu)) {
+      const double at = omega.low + (cell + start.share) * spacing;
+      if (is_known(at, start.mu, same_start)) continue;
+      const auto mode = neutral_mode(F, flag, at, start.mu);
+      if (mode && omega.contains(mode->omega) && mu.contains(mode->mu) &&
+          !is_known(mode->omega, mode->mu, same_frequency))
+        found.push_back(*mode);
     }
-    for (std::size_t s = 0; s < starts.size(); s += 2)
-      if (const auto mode = neutral_mode(F, flag, starts[s], starts[s + 1])) add(*mode);
   }
   std::ranges::sort(found, {}, &NeutralMode::mu);
   return found;

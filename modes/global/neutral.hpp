@@ -51,8 +51,8 @@ std::optional<NeutralMode> neutral_mode(const Aerodynamics&, const FlagOperator&
                                         double mu);
 
 /// All neutral modes with frequency and mass ratio in the intervals, the smallest mu first:
-/// Newton's method from each frequency of a fine grid where a zero is in reach. `F` is asked for
-/// many times.
+/// Newton's method from where the straight lines between the mass ratios at the frequencies of a
+/// fine grid have a zero. `F` is asked for many times.
 std::vector<NeutralMode> neutral_modes(const Aerodynamics& F, const FlagOperator& flag,
                                        const Interval& omega, const Interval& mu);
 

@@ -17,9 +17,10 @@ using Complex = std::complex<double>;
 constexpr std::size_t most_samples = 80;   // of a window
 constexpr std::size_t most_off_axis = 40;  // of a window
 constexpr int most_rounds = 8;
-constexpr std::size_t columns_of_rounds = 5;  // the map is improved by so many, then by all
+constexpr std::size_t columns_of_rounds = 12;  // the map is improved by so many, then by all
 constexpr std::size_t basis_checks = 200;
 constexpr std::size_t places_to_ask = 300;  // about the response, at most
+constexpr double apart = 0.3;               // of lambda: nearer, a place tells little more
 constexpr std::size_t shapes_of_round = 4;
 constexpr double basis_share = 0.3;        // of lambda_tolerance
 constexpr double frequencies_apart = 1.5;  // of omega, where first shapes are taken
@@ -136,7 +137,7 @@ class Reduction {
   // Until nothing is found to be wrong by more than the tolerance.
   void improve(const std::vector<std::size_t>& columns, std::size_t checks) {
     for (int round = 0;; ++round) {
-      find(columns);
+      find(columns, round > 0);
       const bool is_last = round == most_rounds || !wanted_.is_improved;
       const bool is_basis_better = check_basis(columns, !is_last);
       const bool are_fits_better = check_fits(columns, checks, !is_last);
@@ -144,7 +145,9 @@ class Reduction {
     }
   }
 
-  void find(const std::vector<std::size_t>& columns) {
+  // With what is known of the neutral modes, or all anew: those of the column before may have
+  // vanished, and others come.
+  void find(const std::vector<std::size_t>& columns, bool is_known) {
     small_.clear();
     for (const SampledFit& fit : fits_) small_.push_back(basis_->reduced(fit.fit));
     std::vector<ResponseInWindow> responses;
@@ -154,8 +157,9 @@ class Reduction {
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t k = 0; k < columns.size(); ++k) {
       try {
-        map_.columns[columns[k]] =
-            map_column(responses, basis_->reduced(flags_[columns[k]]), mu_, wanted_.mu_of_modes);
+        MapColumn& column = map_.columns[columns[k]];
+        column = map_column(responses, basis_->reduced(flags_[columns[k]]), mu_,
+                            wanted_.mu_of_modes, is_known ? &column : nullptr);
       } catch (...) {
 #pragma omp critical
         fault = std::current_exception();
@@ -289,16 +293,16 @@ class Reduction {
   }
 
   // Where to ask next, of places spread over the map: in turn where lambda is farthest from all at
-  // which the response is known, and where besides one sample less would change it most.
+  // which the response is known, and where a coarser fit would change it most.
   std::optional<Place> next_place(const std::vector<Place>& all, std::size_t w) const {
     const bool by_change = checks_[w].size() % 2 == 0;
-    const RationalFit less = fits_[w].without_last();
+    const RationalFit less = fits_[w].coarser();
     const Aerodynamics F = aerodynamics_of(less);
     std::optional<Place> found;
     double largest = 0;
     for (const std::size_t k : spread(all.size(), places_to_ask)) {
       double doubt = distance_from_known(all[k], w);
-      if (by_change) doubt *= std::abs(correction_by(F, all[k]));
+      if (by_change) doubt = std::min(doubt / apart, 1.0) * std::abs(correction_by(F, all[k]));
       if (doubt <= largest) continue;
       largest = doubt;
       found = all[k];

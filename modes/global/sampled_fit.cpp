@@ -59,8 +59,9 @@ void SampledFit::add(MatrixSample sample) {
   fit = RationalFit(samples, std::max(goal, least_goal));
 }
 
-RationalFit SampledFit::without_last() const {
-  return {all_but_last(samples), std::max(goal, least_goal)};
+RationalFit SampledFit::coarser() const {
+  constexpr double times = 100;
+  return {samples, times * std::max(goal, least_goal)};
 }
 
 SampledFit sampled_fit(const SampleOf& F, const Interval& omega, double tolerance,

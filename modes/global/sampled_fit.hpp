@@ -23,7 +23,8 @@ struct SampledFit {
   Aerodynamics aerodynamics() const { return aerodynamics_of(fit); }
   /// Fits anew, with one sample more that was missed, and ten times as close to all.
   void add(MatrixSample);
-  RationalFit without_last() const;
+  /// Of the same samples, a hundred times less close: where it differs most, so may the fit.
+  RationalFit coarser() const;
 };
 
 using SampleOf = std::function<Eigen::MatrixXcd(std::complex<double> lambda)>;
