@@ -205,9 +205,9 @@ class Reduction {
       const Aerodynamics F = fits_[w].aerodynamics();
       for (const std::size_t k : spread(all.size(), basis_checks)) {
         const double error = std::abs(correction_by(F, all[k]));
-        map_.basis_error = std::max(map_.basis_error, error);
+        if (!(error <= map_.basis_error)) map_.basis_error = error;
         ++map_.checked_basis;
-        if (error > basis_share * wanted_.lambda_tolerance) wrong.push_back({error, w, all[k]});
+        if (!(error <= basis_share * wanted_.lambda_tolerance)) wrong.push_back({error, w, all[k]});
       }
     }
     if (wrong.empty() || !may_add || basis_->is_whole()) return false;
@@ -277,7 +277,8 @@ class Reduction {
   bool judge(std::size_t w, Check check, bool may_add, std::size_t& right) {
     SampledFit& fit = fits_[w];
     const double error = error_at(w, check);
-    if (error > wanted_.lambda_tolerance && may_add && off_axis_[w] < most_off_axis) {
+    const bool is_right = error <= wanted_.lambda_tolerance;  // not so where it is no number
+    if (!is_right && may_add && off_axis_[w] < most_off_axis) {
       fit.add(std::move(check.sample));
       ++off_axis_[w];
       ++map_.samples_off_axis;
@@ -285,7 +286,7 @@ class Reduction {
       is_fit_of_map_[w] = false;
       return true;
     }
-    map_.lambda_error = std::max(map_.lambda_error, error);
+    if (!(error <= map_.lambda_error)) map_.lambda_error = error;
     ++map_.checked;
     ++right;
     checks_[w].push_back(std::move(check));

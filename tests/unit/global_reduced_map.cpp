@@ -125,6 +125,19 @@ TEST(GlobalReducedMap, HasTheModesOfTheWholeOperatorAtItsEndsAndAtRandomPoints) 
   EXPECT_GT(asked, 20u);
 }
 
+TEST(GlobalReducedMap, NeedsFewShapesWhereTheStiffnessVariesLittle) {
+  SmallMap small;
+  small.K_B = {1e-3, 1.5e-3, 2e-3};
+  const ReducedMap map = small.find();
+  EXPECT_LT(map.basis_size, small.flags()[0].mass.size() * 3 / 4);
+  EXPECT_LE(map.basis_error, tolerance);
+  for (std::size_t column = 0; column < small.K_B.size(); ++column)
+    for (std::size_t m = 1; m < small.mu.size(); m += 7)
+      if (map.columns[column].most[m]) {
+        EXPECT_LT(small.error(map, column, m), 2 * tolerance) << small.mu[m];
+      }
+}
+
 TEST(GlobalReducedMap, IsTheSameForAnyNumberOfThreads) {
   const SmallMap small;
   const CoupledOperator coupled = small.small.coupled(small.K_B[0]);
