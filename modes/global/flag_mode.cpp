@@ -50,20 +50,40 @@ class Bordered {
   Eigen::PartialPivLU<Eigen::MatrixXcd> factors_;
 };
 
-std::optional<FlagMode> followed(const Aerodynamics& F, const FlagOperator& flag, double from,
-                                 double to, const FlagMode& mode, int halvings) {
-  constexpr double longest_jump = 0.1;  // of lambda, from where the last mode points
-  const double step = to - from;
-  const Complex expected = mode.lambda + mode.by_mu * step;
-  Eigen::VectorXcd shape = mode.zeta;
-  if (mode.shape_by_mu.size() > 0) shape += step * mode.shape_by_mu;
-  auto next = flag_mode(F, flag, to, expected, shape);
-  if (next && std::abs(next->lambda - expected) < longest_jump) return next;
+struct Guess {
+  Complex lambda;
+  Eigen::VectorXcd zeta;
+};
+
+// With h the step before and s h the one to come, the curves through what is known at -h and 0:
+// values and slopes of lambda, 0's slope and both values of zeta.
+Guess expected(const std::optional<FollowedMode>& before, const FollowedMode& last, double mu) {
+  const double step = mu - last.mu;
+  const FlagMode& mode = last.mode;
+  Guess guess{mode.lambda + mode.by_mu * step, mode.zeta};
+  const bool has_slope = mode.shape_by_mu.size() > 0;
+  if (has_slope) guess.zeta += step * mode.shape_by_mu;
+  if (!before) return guess;
+  const double h = last.mu - before->mu, s = step / h;
+  const Complex bend = before->mode.lambda - mode.lambda + h * mode.by_mu;
+  const Complex twist = h * (mode.by_mu - before->mode.by_mu);
+  guess.lambda += s * s * (3.0 * bend - twist + s * (2.0 * bend - twist));
+  if (has_slope) guess.zeta += s * s * (before->mode.zeta - mode.zeta + h * mode.shape_by_mu);
+  return guess;
+}
+
+std::optional<FlagMode> followed(const Aerodynamics& F, const FlagOperator& flag,
+                                 const std::optional<FollowedMode>& before,
+                                 const FollowedMode& last, double mu, int halvings) {
+  constexpr double longest_jump = 0.1;  // of lambda, from where it is expected
+  const Guess guess = expected(before, last, mu);
+  auto next = flag_mode(F, flag, mu, guess.lambda, guess.zeta);
+  if (next && std::abs(next->lambda - guess.lambda) < longest_jump) return next;
   if (halvings == 0) return std::nullopt;
-  const double middle = std::sqrt(from * to);
-  const auto half = followed(F, flag, from, middle, mode, halvings - 1);
+  const double middle = std::sqrt(last.mu * mu);
+  auto half = followed(F, flag, std::nullopt, last, middle, halvings - 1);
   if (!half) return std::nullopt;
-  return followed(F, flag, middle, to, *half, halvings - 1);
+  return followed(F, flag, std::nullopt, {middle, std::move(*half)}, mu, halvings - 1);
 }
 
 }  // namespace
@@ -71,7 +91,7 @@ std::optional<FlagMode> followed(const Aerodynamics& F, const FlagOperator& flag
 std::optional<FlagMode> flag_mode(const Aerodynamics& F, const FlagOperator& flag, double mu,
                                   Complex lambda_0, const Eigen::VectorXcd& zeta_0) {
   constexpr int most_iterations = 12;
-  constexpr double last_step = 1e-5;  // of lambda and zeta: the error left is of its square
+  constexpr double last_step = 3e-5;  // of lambda and zeta: the error left is of its square
   const Eigen::VectorXcd border = zeta_0.normalized();
   Complex lambda = lambda_0;
   Eigen::VectorXcd zeta = border;
@@ -89,10 +109,11 @@ std::optional<FlagMode> flag_mode(const Aerodynamics& F, const FlagOperator& fla
   return std::nullopt;
 }
 
-std::optional<FlagMode> followed(const Aerodynamics& F, const FlagOperator& flag, double from,
-                                 double to, const FlagMode& mode) {
+std::optional<FlagMode> followed(const Aerodynamics& F, const FlagOperator& flag,
+                                 const std::optional<FollowedMode>& before,
+                                 const FollowedMode& last, double mu) {
   constexpr int most_halvings = 6;
-  return followed(F, flag, from, to, mode, most_halvings);
+  return followed(F, flag, before, last, mu, most_halvings);
 }
 
 Complex correction(const Aerodynamics& F, const FlagOperator& flag, double mu,

@@ -28,9 +28,18 @@ struct FlagMode {
 std::optional<FlagMode> flag_mode(const Aerodynamics&, const FlagOperator& flag, double mu,
                                   std::complex<double> lambda_0, const Eigen::VectorXcd& zeta_0);
 
-/// The mode followed from a mass ratio to another, by shorter steps where it is lost.
-std::optional<FlagMode> followed(const Aerodynamics&, const FlagOperator& flag, double from,
-                                 double to, const FlagMode&);
+/// A mode at a mass ratio.
+struct FollowedMode {
+  double mu;
+  FlagMode mode;
+};
+
+/// The mode followed to another mass ratio, by shorter steps where it is lost: from where the last
+/// one points and, where there is one, by the curve through the one before, of third order for
+/// lambda and second for zeta.
+std::optional<FlagMode> followed(const Aerodynamics&, const FlagOperator& flag,
+                                 const std::optional<FollowedMode>& before,
+                                 const FollowedMode& last, double mu);
 
 /// What an error of F or of zeta does to lambda, to first order: the step that Newton's method
 /// would take with this F.

@@ -15,31 +15,42 @@ class Tracer {
 
   // Up and down from where the mode is neutral.
   void trace(const NeutralMode& neutral) {
-    const FlagMode start{std::complex<double>(0, neutral.omega), neutral.zeta, neutral.by_mu};
+    const FollowedMode start{neutral.mu,
+                             {std::complex<double>(0, neutral.omega), neutral.zeta, neutral.by_mu}};
     const auto above =
         static_cast<std::size_t>(std::ranges::lower_bound(mu_, neutral.mu) - mu_.begin());
-    std::optional<FlagMode> mode = start;
-    double from = neutral.mu;
-    for (std::size_t m = above; m < mu_.size() && mode; ++m) step(from, m, mode);
-    mode = start;
-    from = neutral.mu;
-    for (std::size_t m = above; m-- > 0 && mode;) step(from, m, mode);
+    before_.reset();
+    last_ = start;
+    for (std::size_t m = above; m < mu_.size() && step(m); ++m) {
+    }
+    before_.reset();
+    last_ = start;
+    for (std::size_t m = above; m-- > 0 && step(m);) {
+    }
   }
 
  private:
-  void step(double& from, std::size_t m, std::optional<FlagMode>& mode) {
-    mode = followed(F_, flag_, from, mu_[m], *mode);
-    from = mu_[m];
-    if (!mode) return;
+  // Whether the mode was found there.
+  bool step(std::size_t m) {
+    auto mode = followed(F_, flag_, before_, last_, mu_[m]);
+    if (!mode) return false;
     std::optional<ColumnMode>& most = column_.most[m];
     if (!most || mode->lambda.real() > most->mode.lambda.real()) most = {window_, *mode};
+    // A neutral mode next to this mass ratio is too near to tell how the curve bends.
+    if (std::abs(last_.mu - mu_[m]) > nearest * mu_[m]) before_ = std::move(last_);
+    last_ = {mu_[m], std::move(*mode)};
+    return true;
   }
+
+  static constexpr double nearest = 1e-3;
 
   const Aerodynamics& F_;
   std::size_t window_;
   const FlagOperator& flag_;
   const std::vector<double>& mu_;
   MapColumn& column_;
+  std::optional<FollowedMode> before_;
+  FollowedMode last_{};
 };
 
 // Those known, found again; none where one is lost.
