@@ -31,8 +31,8 @@ double CheckedFit::distance_from_known(Complex lambda) const {
   return nearest;
 }
 
-void CheckedFit::add_off_axis(MatrixSample sample, const FlagBasis& basis) {
-  fit_.add(std::move(sample));
+void CheckedFit::add_off_axis(MatrixSample sample, double closer, const FlagBasis& basis) {
+  fit_.add(std::move(sample), closer);
   coarse_ = basis.reduced(fit_.coarser());
   ++samples_off_axis;
   is_reduced_ = false;

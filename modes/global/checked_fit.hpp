@@ -44,7 +44,8 @@ class CheckedFit {
   Aerodynamics through(const MatrixSample&) const;
   /// From the nearest lambda at which it is known, by the fit or a check.
   double distance_from_known(std::complex<double> lambda) const;
-  void add_off_axis(MatrixSample, const FlagBasis&);
+  /// See SampledFit::add.
+  void add_off_axis(MatrixSample, double closer, const FlagBasis&);
 
  private:
   Interval window_;

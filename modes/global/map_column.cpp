@@ -73,7 +73,7 @@ std::vector<NeutralMode> found_again(const ResponseInWindow& response, std::size
 
 MapColumn map_column(const std::vector<ResponseInWindow>& responses, const FlagOperator& flag,
                      const std::vector<double>& mu, const Interval& mu_of_modes,
-                     const MapColumn* known) {
+                     const AcceptNeutral& is_accepted, const MapColumn* known) {
   MapColumn column;
   column.most.resize(mu.size());
   for (std::size_t window = 0; window < responses.size(); ++window) {
@@ -83,7 +83,8 @@ MapColumn map_column(const std::vector<ResponseInWindow>& responses, const FlagO
     if (neutral.empty()) neutral = neutral_modes(response.F, flag, response.omega, mu_of_modes);
     Tracer tracer(response, window, flag, mu, column);
     for (const NeutralMode& mode : neutral) {
-      column.neutral.push_back({window, mode.omega, mode.mu});
+      if (!is_accepted(window, mode)) continue;
+      column.neutral.push_back({window, mode.omega, mode.mu, mode.zeta});
       tracer.trace(mode);
     }
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct ColumnMode {
 struct ColumnNeutral {
   std::size_t window;
   double omega, mu;
+  Eigen::VectorXcd zeta;
 };
 
 struct MapColumn {
@@ -33,10 +35,13 @@ struct MapColumn {
   std::vector<ColumnNeutral> neutral;  ///< all neutral modes, by their mass ratios
 };
 
+using AcceptNeutral = std::function<bool(std::size_t window, const NeutralMode&)>;
+
 /// `mu`: increasing. `mu_of_modes`: neutral modes are sought there; or where they were in `known`,
-/// the column with a slightly different response, as far as they are found again.
+/// the column with a slightly different response, as far as they are found again. Only those that
+/// are accepted are followed.
 MapColumn map_column(const std::vector<ResponseInWindow>&, const FlagOperator& flag,
                      const std::vector<double>& mu, const Interval& mu_of_modes,
-                     const MapColumn* known = nullptr);
+                     const AcceptNeutral& is_accepted, const MapColumn* known = nullptr);
 
 }  // namespace pennon::modes::global

@@ -15,6 +15,7 @@ using Complex = std::complex<double>;
 
 constexpr std::size_t most_samples = 80;   // of a window
 constexpr std::size_t most_off_axis = 40;  // of a window
+constexpr double of_tolerance = 0.1;       // of lambda, to which a sample that is added is matched
 constexpr int most_rounds = 8;
 constexpr std::size_t columns_of_rounds = 12;  // the map is improved by so many, then by all
 constexpr std::size_t basis_checks = 200;
@@ -22,6 +23,8 @@ constexpr std::size_t places_to_ask = 300;  // about the response, at most
 constexpr double apart = 0.3;               // of lambda: nearer, a place tells little more
 constexpr std::size_t shapes_of_round = 4;
 constexpr double basis_share = 0.3;        // of lambda_tolerance
+constexpr double same_neutral = 0.05;      // of omega, and of mu in relative terms
+constexpr double right_neutral = 1e-3;     // of lambda, of a neutral mode in the basis
 constexpr double frequencies_apart = 1.5;  // of omega, where first shapes are taken
 constexpr double same_ratio = 1e-3;        // of neutral modes in the basis and of the whole flag
 
@@ -138,15 +141,22 @@ class Reduction {
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t k = 0; k < columns.size(); ++k) {
       try {
-        MapColumn& column = map_.columns[columns[k]];
-        column = map_column(responses, small_flags_[columns[k]], mu_, wanted_.mu_of_modes,
-                            is_known ? &column : nullptr);
+        find_column(columns[k], responses, is_known);
       } catch (...) {
 #pragma omp critical
         fault = std::current_exception();
       }
     }
     if (fault) std::rethrow_exception(fault);
+  }
+
+  void find_column(std::size_t k, const std::vector<ResponseInWindow>& responses, bool is_known) {
+    MapColumn& column = map_.columns[k];
+    const auto is_accepted = [&](std::size_t window, const NeutralMode& mode) {
+      return is_of_whole_flag(k, window, mode);
+    };
+    column = map_column(responses, small_flags_[k], mu_, wanted_.mu_of_modes, is_accepted,
+                        is_known ? &column : nullptr);
   }
 
   std::vector<MapPlace> places(const std::vector<std::size_t>& columns, std::size_t window) const {
@@ -164,51 +174,84 @@ class Reduction {
   }
 
   // With its shape of the whole flag.
-  FlagMode mode_at(const MapPlace& place) const {
-    FlagMode mode = small_mode_at(place);
+  FlagMode whole(FlagMode mode) const {
     mode.zeta = basis_->shape(mode.zeta).normalized();
     mode.shape_by_mu = {};
     return mode;
+  }
+  FlagMode mode_at(const MapPlace& place) const {
+    return whole(small_mode_at(place));
   }
 
   Complex correction_by(const Aerodynamics& F, const MapPlace& place) const {
     return correction(F, flags_[place.column], mu_[place.m], mode_at(place));
   }
 
+  // A mode of the basis that is none of the whole flag.
+  struct WrongMode {
+    double error;
+    std::size_t window, column;
+    double mu;
+    FlagMode rough;
+  };
+
   // Whether shapes were added.
   bool check_basis(const std::vector<std::size_t>& columns, bool may_add) {
-    struct Wrong {
-      double error;
-      std::size_t window;
-      MapPlace at;
-    };
-    std::vector<Wrong> wrong;
+    std::vector<WrongMode> wrong = wrong_neutral_modes(columns);
     map_.basis_error = 0;
     map_.checked_basis = 0;
     for (std::size_t w = 0; w < fits_.size(); ++w) {
       const std::vector<MapPlace> all = places(columns, w);
       const Aerodynamics F = fits_[w].fit().aerodynamics();
       for (const std::size_t k : spread(all.size(), basis_checks)) {
-        const double error = std::abs(correction_by(F, all[k]));
+        const MapPlace& at = all[k];
+        const double error = std::abs(correction_by(F, at));
         if (!(error <= map_.basis_error)) map_.basis_error = error;
         ++map_.checked_basis;
-        if (!(error <= basis_share * wanted_.lambda_tolerance)) wrong.push_back({error, w, all[k]});
+        if (!(error <= basis_share * wanted_.lambda_tolerance))
+          wrong.push_back({error, w, at.column, mu_[at.m], mode_at(at)});
       }
     }
     if (wrong.empty() || !may_add || basis_->is_whole()) return false;
-    std::ranges::sort(wrong, std::greater(), &Wrong::error);
-    for (const std::size_t k : spread(wrong.size(), shapes_of_round))
-      add_shapes_at(wrong[k].window, wrong[k].at);
+    std::ranges::sort(wrong, std::greater(), &WrongMode::error);
+    for (const std::size_t k : spread(wrong.size(), shapes_of_round)) add_shapes_of(wrong[k]);
     return true;
   }
 
-  void add_shapes_at(std::size_t window, const MapPlace& place) {
-    const Aerodynamics F = fits_[window].fit().aerodynamics();
-    const FlagOperator& flag = flags_[place.column];
-    const FlagMode rough = mode_at(place);
-    const auto mode = flag_mode(F, flag, mu_[place.m], rough.lambda, rough.zeta);
+  // Neutral modes that the basis does not hold well.
+  std::vector<WrongMode> wrong_neutral_modes(const std::vector<std::size_t>& columns) const {
+    std::vector<WrongMode> wrong;
+    for (const std::size_t column : columns)
+      for (const ColumnNeutral& neutral : map_.columns[column].neutral) {
+        const FlagMode mode = whole({Complex(0, neutral.omega), neutral.zeta, 0});
+        const double error = neutral_error(column, neutral.window, neutral.mu, mode);
+        if (!(error <= right_neutral))
+          wrong.push_back({error, neutral.window, column, neutral.mu, mode});
+      }
+    return wrong;
+  }
+
+  double neutral_error(std::size_t column, std::size_t window, double mu,
+                       const FlagMode& mode) const {
+    return std::abs(correction(fits_[window].fit().aerodynamics(), flags_[column], mu, mode));
+  }
+
+  // Far above the map's mass ratios the basis may have neutral modes where the whole flag has none.
+  bool is_of_whole_flag(std::size_t column, std::size_t window, const NeutralMode& mode) const {
+    const FlagMode rough = whole({Complex(0, mode.omega), mode.zeta, 0});
+    if (neutral_error(column, window, mode.mu, rough) <= right_neutral) return true;
+    const auto found =
+        neutral_mode(fits_[window].fit().aerodynamics(), flags_[column], mode.omega, mode.mu);
+    return found && std::abs(found->omega - mode.omega) < same_neutral &&
+           std::abs(found->mu / mode.mu - 1) < same_neutral;
+  }
+
+  void add_shapes_of(const WrongMode& wrong) {
+    const Aerodynamics F = fits_[wrong.window].fit().aerodynamics();
+    const FlagOperator& flag = flags_[wrong.column];
+    const auto mode = flag_mode(F, flag, wrong.mu, wrong.rough.lambda, wrong.rough.zeta);
     if (!mode) return;
-    const Eigen::VectorXcd psi = left_shape(F, flag, mu_[place.m], *mode);
+    const Eigen::VectorXcd psi = left_shape(F, flag, wrong.mu, *mode);
     basis_->add(mode->zeta);
     basis_->add(psi);
   }
@@ -260,7 +303,9 @@ class Reduction {
     const double error = error_at(fit, check);
     const bool is_right = error <= wanted_.lambda_tolerance;  // not so where it is no number
     if (!is_right && may_add && fit.samples_off_axis < most_off_axis) {
-      fit.add_off_axis(std::move(check.sample), *basis_);
+      const double closer =
+          std::isfinite(error) ? of_tolerance * wanted_.lambda_tolerance / error : 1;
+      fit.add_off_axis(std::move(check.sample), closer, *basis_);
       right = 0;
       return true;
     }

@@ -16,7 +16,7 @@ using Complex = std::complex<double>;
 
 constexpr int first_samples = 9;
 constexpr std::size_t checks_in_turn = 3;
-constexpr double least_goal = 1e-11;  // rounding of the samples
+constexpr double least_goal = 1e-11;  // above the rounding of the samples
 constexpr double of_tolerance = 0.1;  // the fit goes closer to its samples than it is asked to be
 
 std::vector<MatrixSample> all_but_last(std::vector<MatrixSample> samples) {
@@ -53,15 +53,18 @@ Aerodynamics aerodynamics_of(const RationalFit& fit) {
   };
 }
 
-void SampledFit::add(MatrixSample sample) {
+void SampledFit::add(MatrixSample sample, double closer) {
+  double scale = sample.F.norm();
+  for (const MatrixSample& known : samples) scale = std::max(scale, known.F.norm());
+  const double missed = (fit(sample.lambda) - sample.F).norm() / scale;
+  goal = std::min(goal, std::max(closer * missed, least_goal));
   samples.push_back(std::move(sample));
-  goal *= of_tolerance;
-  fit = RationalFit(samples, std::max(goal, least_goal));
+  fit = RationalFit(samples, goal);
 }
 
 RationalFit SampledFit::coarser() const {
   constexpr double times = 100;
-  return {samples, times * std::max(goal, least_goal)};
+  return {samples, times * goal};
 }
 
 SampledFit sampled_fit(const SampleOf& F, const Interval& omega, double tolerance,

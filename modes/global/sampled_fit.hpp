@@ -21,8 +21,8 @@ struct SampledFit {
   std::vector<MatrixSample> samples;
 
   Aerodynamics aerodynamics() const { return aerodynamics_of(fit); }
-  /// Fits anew, with one sample more that was missed, and ten times as close to all.
-  void add(MatrixSample);
+  /// Fits anew, with one sample more that was missed, so much closer to all than that was.
+  void add(MatrixSample, double closer);
   /// Of the same samples, a hundred times less close: where it differs most, so may the fit.
   RationalFit coarser() const;
 };
