@@ -88,6 +88,7 @@ TEST(GlobalFlagBasis, OfAllShapesLeavesTheFlagAsItIs) {
 
 TEST(GlobalRationalFit, InABasisIsTheProjectionOfItsValuesAndSlopes) {
   std::vector<MatrixSample> samples;
+  samples.reserve(8);
   const Eigen::MatrixXcd A = Eigen::MatrixXcd::Random(6, 6), B = Eigen::MatrixXcd::Random(6, 6);
   for (int i = 0; i < 8; ++i)
     samples.push_back({Complex(0, i), A / Complex(1, i) + B * Complex(0, i)});
