@@ -203,20 +203,30 @@ void write_growth_map(const Json& map, const Case& the_case, const OutputFolder&
 
 Json summary_of_map(const Json& map) {
   Json summary = {{"points", map["x"].size() * map["mu"].size()}};
-  for (const char* key : {"fit_error", "lambda_error", "checked", "samples", "sample_s", "map_s"})
+  for (const char* key : {"basis_size", "fit_error", "basis_error", "checked_basis", "lambda_error",
+                          "checked", "samples", "samples_off_axis", "sample_s", "map_s"})
     summary[key] = map[key];
   return summary;
 }
 
-std::string text_of_growth_map(const Json& map) {
-  return fmt::format(
-      "  growth map: {} points in {:.3g} s after {} samples of the response in {:.3g} s; error of "
-      "the "
-      "fit {:.1e}, of lambda at {} points {:.1e}\n",
+std::string text_of_growth_map(const Json& map, double lambda_tolerance) {
+  const double lambda_error = map["lambda_error"];
+  std::string text = fmt::format(
+      "  growth map: {} points in {:.3g} s after {} samples of the response in {:.3g} s, in a "
+      "basis "
+      "of {} shapes\n"
+      "  error of lambda: {:.1e} at {} points by the response itself, {:.1e} at {} points by the "
+      "whole flag\n",
       map["x"].size() * map["mu"].size(), map["map_s"].get<double>(),
       map["samples"].get<std::size_t>(), map["sample_s"].get<double>(),
-      map["fit_error"].get<double>(), map["checked"].get<std::size_t>(),
-      map["lambda_error"].get<double>());
+      map["basis_size"].get<int>(), lambda_error, map["checked"].get<std::size_t>(),
+      map["basis_error"].get<double>(), map["checked_basis"].get<std::size_t>());
+  if (lambda_error > lambda_tolerance)
+    text += fmt::format(
+        "  which is more than modes.global.map.lambda_tolerance = {:.1e}; a smaller fit_tolerance, "
+        "or fewer mass ratios at which the modes decay fast, may help\n",
+        lambda_tolerance);
+  return text;
 }
 
 std::string text_of_neutral_curve(const Json& global) {

@@ -24,6 +24,6 @@ void write_growth_map(const nlohmann::ordered_json& map, const Case&, const Outp
 
 /// Of a map for summary.json: its size, errors and times.
 nlohmann::ordered_json summary_of_map(const nlohmann::ordered_json& map);
-std::string text_of_growth_map(const nlohmann::ordered_json& map);
+std::string text_of_growth_map(const nlohmann::ordered_json& map, double lambda_tolerance);
 
 }  // namespace pennon::app

@@ -130,7 +130,7 @@ void run_modes(const Options& options) {
       if (the_case.global_modes.map.is_given) {
         write_growth_map(found["map"], the_case, folder);
         json["global"]["map"] = summary_of_map(found["map"]);
-        text += text_of_growth_map(found["map"]);
+        text += text_of_growth_map(found["map"], the_case.global_modes.map.lambda_tolerance);
       }
     }
     return Answer{json, text};

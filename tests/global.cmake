@@ -4,7 +4,7 @@ pennon_test(test_global_fields LABEL unit SOURCES unit/global_fields.cpp LINK pe
 pennon_test(test_global_still_fluid LABEL verification
             SOURCES verification/global_still_fluid.cpp LINK pennon::eigensolver)
 pennon_test(test_global_neutral LABEL unit
-            SOURCES unit/global_neutral.cpp unit/global_neutral_curve.cpp
+            SOURCES unit/global_neutral.cpp unit/global_neutral_curve.cpp unit/global_reduced_map.cpp unit/global_both_signs.cpp
             LINK pennon::global)
 pennon_test(test_global_modes LABEL verification
             SOURCES verification/global_base_flow.cpp verification/global_growth.cpp

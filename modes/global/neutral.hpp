@@ -46,14 +46,32 @@ struct NeutralMode {
 };
 
 /// Newton's method from a frequency and a mass ratio nearby; `flag` with mu = 1. None where it does
-/// not converge to a neutral mode with omega > 0 and mu > 0.
+/// not converge to a neutral mode with mu > 0 and a frequency of the same sign.
 std::optional<NeutralMode> neutral_mode(const Aerodynamics&, const FlagOperator& flag, double omega,
                                         double mu);
 
 /// All neutral modes with frequency and mass ratio in the intervals, the smallest mu first:
-/// Newton's method from each frequency of a fine grid where a zero is in reach. `F` is asked for
-/// many times.
+/// Newton's method from where the straight lines between the mass ratios at the frequencies of a
+/// fine grid have a zero. `F` is asked for many times.
 std::vector<NeutralMode> neutral_modes(const Aerodynamics& F, const FlagOperator& flag,
                                        const Interval& omega, const Interval& mu);
+
+/// The frequencies whose size is in the interval: where the spectrum is not symmetric about
+/// omega = 0, of both signs. With a cross-flow and a wave along the span it is not: waves that
+/// travel with the cross-flow and against it differ. All there is without one of the two is
+/// F(lambda; k_x, U) = conj F(conj lambda; -k_x, U) = conj F(conj lambda; k_x, -U).
+std::vector<Interval> frequency_windows(const Interval& size, bool is_symmetric);
+
+/// All the complex mass ratios at a frequency.
+Eigen::VectorXcd mass_ratios(const Eigen::MatrixXcd& F, const FlagOperator& flag, double omega);
+
+/// What is next to neutral at a frequency: complex mass ratios with a small imaginary part, and for
+/// each its shape and the one from the left.
+struct ShapesNearby {
+  std::vector<std::complex<double>> mu;
+  std::vector<Eigen::VectorXcd> shapes;
+};
+ShapesNearby shapes_nearby(const Response&, const FlagOperator& flag, double omega,
+                           const Interval& mu);
 
 }  // namespace pennon::modes::global

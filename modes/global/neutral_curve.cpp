@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "common/errors.hpp"
@@ -143,14 +144,27 @@ class Curve {
     return nearest ? nearest->branch : branches_++;
   }
 
+  void sample(Station& station, const std::vector<Interval>& windows) {
+    fits_.clear();
+    for (const Interval& window : windows)
+      fits_.push_back(sampled_fit([&](Complex lambda) { return station.F.at(lambda); }, window,
+                                  wanted_.fit_tolerance, most_samples));
+  }
+
   void scan(Station& station, const std::vector<Expected>& expected, CurvePoint& point) {
     point.modes.clear();
-    const Interval omega{wanted_.omega[0], wanted_.omega[1]}, mu{wanted_.mu[0], wanted_.mu[1]};
-    if (!fit_ || stations_.fluid_varies())
-      fit_ = sampled_fit([&](Complex lambda) { return station.F.at(lambda); }, omega,
-                         wanted_.fit_tolerance, most_samples);
-    point.fit_error = fit_->error;
-    for (const NeutralMode& start : neutral_modes(fit_->aerodynamics(), station.flag, omega, mu)) {
+    const std::vector<Interval> windows = frequency_windows({wanted_.omega[0], wanted_.omega[1]},
+                                                            station.coupled.fluid().is_symmetric);
+    if (fits_.empty() || stations_.fluid_varies()) sample(station, windows);
+    std::vector<NeutralMode> starts;
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+      point.fit_error = std::max(point.fit_error, fits_[w].error);
+      std::ranges::move(neutral_modes(fits_[w].aerodynamics(), station.flag, windows[w],
+                                      {wanted_.mu[0], wanted_.mu[1]}),
+                        std::back_inserter(starts));
+    }
+    std::ranges::sort(starts, {}, &NeutralMode::mu);
+    for (const NeutralMode& start : starts) {
       if (static_cast<std::int64_t>(point.modes.size()) == wanted_.branches) break;
       const auto mode = neutral_mode(station.aerodynamics(), station.flag, start.omega, start.mu);
       if (!mode || !Expected{0, start.omega, start.mu}.is(*mode)) continue;
@@ -186,8 +200,8 @@ class Curve {
   Stations stations_;
   std::vector<double> values_;
   bool is_log_;
-  std::optional<SampledFit> fit_;
-  int branches_ = 0;  // so far
+  std::vector<SampledFit> fits_;  // of each window
+  int branches_ = 0;              // so far
 };
 
 template <class Value>

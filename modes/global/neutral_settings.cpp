@@ -85,7 +85,10 @@ void declare(Schema& schema, NeutralSettings& settings) {
                    &settings.is_given);
   declare_sweeps(table, settings);
   table.key({"mu", &settings.mu, "mass ratios between which neutral modes are sought", positive})
-      .key({"omega", &settings.omega, "angular frequencies between which they are sought, in V/L",
+      .key({"omega", &settings.omega,
+            "angular frequencies between which they are sought, in V/L; with a cross-flow and k_x "
+            "!= "
+            "0, where the spectrum is not symmetric, those of either sign whose size is between",
             positive})
       .key({"branches", &settings.branches,
             "neutral modes that are followed, those of the smallest mass ratios", Range{1, 20}})
@@ -121,9 +124,16 @@ void declare(Schema& schema, MapSettings& settings) {
   declare_sweeps(table, settings);
   table
       .key({"omega", &settings.omega,
-            "angular frequencies between which modes become neutral, in V/L", positive})
-      .key({"fit_tolerance", &settings.fit_tolerance, "relative error of the fit",
+            "angular frequencies between which modes become neutral, in V/L, of either sign as in "
+            "[modes.global.neutral]",
+            positive})
+      .key({"fit_tolerance", &settings.fit_tolerance,
+            "relative error of the fit along the axis of the angular frequency",
             Range{1e-10, 1e-2}})
+      .key({"lambda_tolerance", &settings.lambda_tolerance,
+            "error of growth rate and angular frequency, in V/L: where a check finds more, fit and "
+            "basis of the flag's shapes are improved",
+            Range{1e-9, 1e-1}})
       .key({"title", &settings.title, "of the picture"});
 }
 

@@ -33,6 +33,7 @@ struct MapSettings {
   std::optional<Sweep> Re = {}, k_x = {}, K_B = {}, nu_s = {};  ///< one of them
   std::vector<double> omega = {1, 13};
   double fit_tolerance = 1e-6;
+  double lambda_tolerance = 1e-5;
   std::string title = {};
 };
 

@@ -113,40 +113,67 @@ class Fit {
 RationalFit::RationalFit(const std::vector<MatrixSample>& samples, double tolerance) {
   Fit fit(samples);
   fit.run(tolerance);
-  support_.reserve(fit.support().size());
-  for (const Index j : fit.support()) support_.push_back(samples[static_cast<std::size_t>(j)]);
+  rows_ = samples.front().F.rows();
+  const auto count = static_cast<Index>(fit.support().size());
+  lambda_.resize(count);
+  F_.resize(samples.front().F.size(), count);
+  for (Index j = 0; j < count; ++j) {
+    const auto from = static_cast<std::size_t>(fit.support()[static_cast<std::size_t>(j)]);
+    lambda_[j] = samples[from].lambda;
+    F_.col(j) = samples[from].F.reshaped();
+  }
   weights_ = fit.weights;
   error_ = fit.error;
 }
 
-Eigen::MatrixXcd RationalFit::operator()(Complex lambda) const {
-  Eigen::MatrixXcd above = Eigen::MatrixXcd::Zero(support_[0].F.rows(), support_[0].F.cols());
-  Complex below = 0;
-  for (std::size_t j = 0; j < support_.size(); ++j) {
-    if (lambda == support_[j].lambda) return support_[j].F;
-    const Complex by = weights_[static_cast<Index>(j)] / (lambda - support_[j].lambda);
-    above += by * support_[j].F;
-    below += by;
-  }
-  return above / below;
+// b_j/sum b with b_j = w_j/(lambda - lambda_j).
+Eigen::VectorXcd RationalFit::shares(Complex lambda) const {
+  for (Index j = 0; j < lambda_.size(); ++j)
+    if (lambda == lambda_[j]) return Eigen::VectorXcd::Unit(lambda_.size(), j);
+  const Eigen::VectorXcd b = weights_.array() / (lambda - lambda_.array());
+  return b / b.sum();
 }
 
-Eigen::MatrixXcd RationalFit::derivative(Complex lambda) const {
-  const Eigen::MatrixXcd value = (*this)(lambda);
-  Eigen::MatrixXcd above = Eigen::MatrixXcd::Zero(value.rows(), value.cols());
-  Complex below = 0;
-  const auto at = std::ranges::find(support_, lambda, &MatrixSample::lambda);
-  for (std::size_t j = 0; j < support_.size(); ++j) {
-    if (at != support_.end() && &*at == &support_[j]) {
-      below = -weights_[static_cast<Index>(j)];
-      continue;
-    }
-    const Complex distance = lambda - support_[j].lambda, w = weights_[static_cast<Index>(j)];
-    above +=
-        (value - support_[j].F) * (at == support_.end() ? w / (distance * distance) : w / distance);
-    if (at == support_.end()) below += w / distance;
+// r' sum b = sum b_j (r - F_j)/(lambda - lambda_j); at a support point s
+// r' w_s = -sum w_j (F_s - F_j)/(lambda_s - lambda_j), j != s.
+Eigen::VectorXcd RationalFit::shares_of_derivative(Complex lambda) const {
+  const Index count = lambda_.size();
+  for (Index s = 0; s < count; ++s) {
+    if (lambda != lambda_[s]) continue;
+    Eigen::VectorXcd c = Eigen::VectorXcd::Zero(count);
+    for (Index j = 0; j < count; ++j)
+      if (j != s) c[j] = weights_[j] / (weights_[s] * (lambda - lambda_[j]));
+    c[s] = -c.sum();
+    return c;
   }
-  return above / below;
+  const Eigen::ArrayXcd b = weights_.array() / (lambda - lambda_.array());
+  const Eigen::ArrayXcd b_over = b / (lambda - lambda_.array());
+  return (b * (b_over.sum() / b.sum()) - b_over) / b.sum();
+}
+
+Eigen::MatrixXcd RationalFit::operator()(Complex lambda) const {
+  Eigen::MatrixXcd value(rows_, F_.rows() / rows_);
+  value.reshaped().noalias() = F_ * shares(lambda);
+  return value;
+}
+
+Eigen::VectorXcd RationalFit::derivative(Complex lambda, const Eigen::VectorXcd& x) const {
+  const Eigen::VectorXcd slope = F_ * shares_of_derivative(lambda);
+  return slope.reshaped(rows_, x.size()) * x;
+}
+
+RationalFit RationalFit::projected(const Eigen::MatrixXcd& V) const {
+  RationalFit small;
+  small.lambda_ = lambda_;
+  small.weights_ = weights_;
+  small.error_ = error_;
+  small.rows_ = V.cols();
+  small.F_.resize(V.cols() * V.cols(), F_.cols());
+  for (Index j = 0; j < F_.cols(); ++j) {
+    const Eigen::MatrixXcd F = V.adjoint() * F_.col(j).reshaped(rows_, V.rows()) * V;
+    small.F_.col(j) = F.reshaped();
+  }
+  return small;
 }
 
 }  // namespace pennon::modes::global

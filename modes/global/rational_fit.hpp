@@ -5,7 +5,8 @@
 ///   r(lambda) = sum_j w_j F_j / (lambda - lambda_j)  /  sum_j w_j / (lambda - lambda_j).
 ///
 /// Support points are taken one by one where the error is largest; the weights make the linearised
-/// residual at the other samples least.
+/// residual at the other samples least. For a lambda the function is a combination of the F_j, one
+/// product of a matrix and a vector.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,15 +28,25 @@ class RationalFit {
   RationalFit(const std::vector<MatrixSample>& samples, double tolerance);
 
   Eigen::MatrixXcd operator()(std::complex<double> lambda) const;
-  Eigen::MatrixXcd derivative(std::complex<double> lambda) const;
+  /// r'(lambda) x.
+  Eigen::VectorXcd derivative(std::complex<double> lambda, const Eigen::VectorXcd& x) const;
 
-  std::size_t support_points() const { return support_.size(); }
+  /// V^H r(lambda) V, of the same weights.
+  RationalFit projected(const Eigen::MatrixXcd& V) const;
+
+  std::size_t support_points() const { return static_cast<std::size_t>(lambda_.size()); }
   /// At the samples, as the tolerance counts it. What it is elsewhere they cannot say.
   double error_at_samples() const { return error_; }
 
  private:
-  std::vector<MatrixSample> support_;
-  Eigen::VectorXcd weights_;
+  RationalFit() = default;
+  // Those of the F_j in r and in r'.
+  Eigen::VectorXcd shares(std::complex<double> lambda) const;
+  Eigen::VectorXcd shares_of_derivative(std::complex<double> lambda) const;
+
+  Eigen::VectorXcd lambda_, weights_;  // of the support points
+  Eigen::MatrixXcd F_;                 // a column for each
+  Eigen::Index rows_ = 0;
   double error_ = 0;
 };
 

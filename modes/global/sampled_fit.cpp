@@ -16,9 +16,10 @@ using Complex = std::complex<double>;
 
 constexpr int first_samples = 9;
 constexpr std::size_t checks_in_turn = 3;
+constexpr double least_goal = 1e-11;  // above the rounding of the samples
 constexpr double of_tolerance = 0.1;  // the fit goes closer to its samples than it is asked to be
 
-std::vector<MatrixSample> without_last(std::vector<MatrixSample> samples) {
+std::vector<MatrixSample> all_but_last(std::vector<MatrixSample> samples) {
   samples.pop_back();
   return samples;
 }
@@ -44,12 +45,26 @@ double most_doubtful(const std::vector<MatrixSample>& samples, const RationalFit
 
 }  // namespace
 
-Aerodynamics SampledFit::aerodynamics() const {
-  return [&fit = fit](Complex lambda) {
+Aerodynamics aerodynamics_of(const RationalFit& fit) {
+  return [&fit](Complex lambda) {
     return Response{fit(lambda), [&fit, lambda](const Eigen::VectorXcd& zeta) {
-                      return Eigen::VectorXcd(fit.derivative(lambda) * zeta);
+                      return fit.derivative(lambda, zeta);
                     }};
   };
+}
+
+void SampledFit::add(MatrixSample sample, double closer) {
+  double scale = sample.F.norm();
+  for (const MatrixSample& known : samples) scale = std::max(scale, known.F.norm());
+  const double missed = (fit(sample.lambda) - sample.F).norm() / scale;
+  goal = std::min(goal, std::max(closer * missed, least_goal));
+  samples.push_back(std::move(sample));
+  fit = RationalFit(samples, goal);
+}
+
+RationalFit SampledFit::coarser() const {
+  constexpr double times = 100;
+  return {samples, times * goal};
 }
 
 SampledFit sampled_fit(const SampleOf& F, const Interval& omega, double tolerance,
@@ -66,7 +81,7 @@ SampledFit sampled_fit(const SampleOf& F, const Interval& omega, double toleranc
            (omega.high - omega.low) / 2 * std::cos(std::numbers::pi * i / (first_samples - 1)));
   // The one left out first is in the middle.
   std::swap(samples[first_samples / 2], samples.back());
-  RationalFit before(without_last(samples), of_tolerance * tolerance);
+  RationalFit before(all_but_last(samples), of_tolerance * tolerance);
   RationalFit now(samples, of_tolerance * tolerance);
   std::vector<double> errors;
   while (samples.size() < most_samples) {
@@ -77,7 +92,7 @@ SampledFit sampled_fit(const SampleOf& F, const Interval& omega, double toleranc
     now = RationalFit(samples, of_tolerance * tolerance);
     if (errors.size() < checks_in_turn) continue;
     const double error = *std::max_element(errors.end() - checks_in_turn, errors.end());
-    if (error <= tolerance) return {now, error, samples.size()};
+    if (error <= tolerance) return {now, error, of_tolerance * tolerance, std::move(samples)};
   }
   throw SolverError(fmt::format(
       "the fluid's response for angular frequencies from {:.4g} to {:.4g} was not fitted to {:.1e} "

@@ -10,14 +10,21 @@
 
 namespace pennon::modes::global {
 
+Aerodynamics aerodynamics_of(const RationalFit&);
+
 struct SampledFit {
   RationalFit fit;
   /// The largest of |F - fit| over the largest |F|, Frobenius' norms, at the last few samples when
   /// they were not part of the fit: what the fit is worth between samples.
   double error;
-  std::size_t samples;
+  double goal;  ///< the largest error at the samples
+  std::vector<MatrixSample> samples;
 
-  Aerodynamics aerodynamics() const;
+  Aerodynamics aerodynamics() const { return aerodynamics_of(fit); }
+  /// Fits anew, with one sample more that was missed, so much closer to all than that was.
+  void add(MatrixSample, double closer);
+  /// Of the same samples, a hundred times less close: where it differs most, so may the fit.
+  RationalFit coarser() const;
 };
 
 using SampleOf = std::function<Eigen::MatrixXcd(std::complex<double> lambda)>;
