@@ -50,11 +50,7 @@ void solve(const char* problem_file, const char* result_file) {
   const global::MumpsRanks others;
   global::Problem problem;
   read_case_file(problem_file, {}, problem.schema).raise();
-  const auto eigenpairs = [factors = global::mumps_factors()](
-                              const global::CoupledOperator& coupled, std::complex<double> target,
-                              int n_modes, bool with_adjoints) {
-    return global::coupled_eigenpairs_near(coupled, target, n_modes, with_adjoints, factors);
-  };
+  const global::EigenSolver eigenpairs = global::coupled_eigensolver(global::mumps_factors());
   const global::Result result =
       global::run(problem.flag, problem.flow, problem.settings, eigenpairs);
   if (!result.modes.empty()) write_fields(result, std::filesystem::path(result_file).parent_path());

@@ -26,9 +26,9 @@ class Pencil {
 struct SparsePencil final : Pencil {
   Eigen::SparseMatrix<std::complex<double>> matrix_A, matrix_B;
 
-  SparsePencil(Eigen::SparseMatrix<std::complex<double>> its_A,
-               Eigen::SparseMatrix<std::complex<double>> its_B)
-      : matrix_A(std::move(its_A)), matrix_B(std::move(its_B)) {}
+  SparsePencil(const Eigen::SparseMatrix<std::complex<double>>& its_A,
+               const Eigen::SparseMatrix<std::complex<double>>& its_B)
+      : matrix_A(its_A), matrix_B(its_B) {}
 
   /// A^H p = conj(lambda) B^H p.
   SparsePencil adjoint() const { return {matrix_A.adjoint(), matrix_B.adjoint()}; }

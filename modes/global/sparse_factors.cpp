@@ -1,18 +1,11 @@
 #include "modes/global/sparse_factors.hpp"
 
 #include <Eigen/UmfPackSupport>
-#include <algorithm>
 
 #include "common/errors.hpp"
 
 namespace pennon::modes::global {
 namespace {
-
-bool have_same_pattern(const SparseFactors::Matrix& a, const SparseFactors::Matrix& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
-         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
-}
 
 // Eigen's interface, and UMFPACK's solution with the conjugate transpose, which it has not.
 class Umfpack : public Eigen::UmfPackLU<SparseFactors::Matrix> {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <complex>
 #include <memory>
 
@@ -25,6 +26,14 @@ class SparseFactors {
   /// With the matrix transposed and conjugated.
   virtual Eigen::MatrixXcd solve_adjoint(const Eigen::MatrixXcd& right) const = 0;
 };
+
+/// Of two compressed matrices that are stored alike.
+template <class Sparse>
+bool have_same_pattern(const Sparse& a, const Sparse& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
 
 /// By UMFPACK.
 std::shared_ptr<SparseFactors> umfpack_factors();

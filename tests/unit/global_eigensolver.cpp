@@ -152,11 +152,7 @@ TEST(GlobalEigensolver, MergesTheModesOfSeveralTargetsIntoOneSpectrum) {
   settings = resolve(settings, flag, {16, 32, 4, 4, 0.05, 0, 0.02});
   const auto modes_near = [&](const std::vector<double>& target) {
     settings.target = target;
-    return run(flag, {.Re = 300}, settings,
-               [](const CoupledOperator& coupled, Complex near, int n_modes, bool with_adjoints) {
-                 return coupled_eigenpairs_near(coupled, near, n_modes, with_adjoints,
-                                                mumps_factors());
-               });
+    return run(flag, {.Re = 300}, settings, coupled_eigensolver(mumps_factors()));
   };
   const Result one = modes_near({0.4, 2.6}), other = modes_near({-0.5, 4.5}),
                merged = modes_near({0.4, 2.6, -0.5, 4.5});
@@ -187,12 +183,7 @@ TEST(GlobalEigensolver, SeeksWavesOfEitherDirectionInACrossFlow) {
   settings.n_modes = 6;
   settings = resolve(settings, flag, {16, 32, 12, 4, 0.05, 0, 0.02});
   const auto modes_with = [&](double U) {
-    return run(flag, {.Re = 300, .U = U}, settings,
-               [factors = mumps_factors()](const CoupledOperator& coupled, Complex near,
-                                           int n_modes, bool with_adjoints) {
-                 return coupled_eigenpairs_near(coupled, near, n_modes, with_adjoints, factors);
-               })
-        .modes;
+    return run(flag, {.Re = 300, .U = U}, settings, coupled_eigensolver(mumps_factors())).modes;
   };
   const std::vector<GlobalMode> along = modes_with(0.5), turned = modes_with(-0.5),
                                 without = modes_with(0);

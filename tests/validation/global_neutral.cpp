@@ -49,5 +49,9 @@ TEST(GlobalNeutralCurves, OverTheSpanwiseWavenumberBeginWithThatOfTwoDimensions)
   expect_row("neutral_over_k_x.csv", CurveParameter::k_x, 0);
 }
 
+TEST(GlobalNeutralCurves, OverTheBendingStiffnessHaveThatOfTheCurveOverTheReynoldsNumber) {
+  expect_row("neutral_over_K_B.csv", CurveParameter::K_B, 1e-4);
+}
+
 }  // namespace
 }  // namespace pennon::modes::global

@@ -41,6 +41,7 @@ class MapMatrix {
   }
   MapMatrix(const MapMatrix&) = delete;
   MapMatrix& operator=(const MapMatrix&) = delete;
+  ~MapMatrix() = default;
 
   operator Mat() const { return handle_; }
   Eigen::Index size() const { return size_; }
@@ -158,6 +159,13 @@ Spectrum coupled_eigenpairs_near(const CoupledOperator& coupled, Complex target,
                                  const std::shared_ptr<SparseFactors>& factors) {
   return eigenpairs_near(coupled, ShiftedCoupled(coupled, target, factors), target, requested,
                          with_adjoints);
+}
+
+EigenSolver coupled_eigensolver(std::shared_ptr<SparseFactors> factors) {
+  return [factors = std::move(factors)](const CoupledOperator& coupled, Complex target,
+                                        int requested, bool with_adjoints) {
+    return coupled_eigenpairs_near(coupled, target, requested, with_adjoints, factors);
+  };
 }
 
 }  // namespace pennon::modes::global

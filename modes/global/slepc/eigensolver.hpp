@@ -8,6 +8,7 @@
 
 #include "modes/global/shifted_inverse.hpp"
 #include "modes/global/spectrum.hpp"
+#include "modes/global/study.hpp"
 
 namespace pennon::modes::global {
 
@@ -29,5 +30,8 @@ Spectrum eigenpairs_near(const Pencil&, const ShiftedInverse&, std::complex<doub
 /// The same of the coupled operator, with these factors for the flow's block.
 Spectrum coupled_eigenpairs_near(const CoupledOperator&, std::complex<double> target, int requested,
                                  bool with_adjoints, const std::shared_ptr<SparseFactors>&);
+
+/// The same as study.hpp wants it, with the factors' analysis shared by all its calls.
+EigenSolver coupled_eigensolver(std::shared_ptr<SparseFactors>);
 
 }  // namespace pennon::modes::global

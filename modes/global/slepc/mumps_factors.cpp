@@ -34,8 +34,8 @@ constexpr int info_of_error = 1, megabytes_of_rank = 16, megabytes_of_all = 17;
 // the leading one's.
 class Part {
  public:
-  void analyse(Rows rows, PetscInt size) {
-    rows_ = std::move(rows);
+  void analyse(const Rows& rows, PetscInt size) {
+    rows_ = rows;
     size_ = size;
     matrix_ = {};
     factors_ = {};
@@ -121,22 +121,18 @@ std::optional<double> available_memory() {
   return std::nullopt;
 }
 
-bool have_same_pattern(const Rows& a, const Rows& b) {
-  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
-         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
-}
-
 class MumpsFactors final : public SparseFactors {
  public:
   MumpsFactors() : number_(next_number++) {}
+  MumpsFactors(const MumpsFactors&) = delete;
+  MumpsFactors& operator=(const MumpsFactors&) = delete;
   ~MumpsFactors() override { exchanged({Task::discard, number_}); }
 
   void factor(const Matrix& matrix) override {
     Rows rows = matrix;
     rows.makeCompressed();
     if (!is_good_ || !have_same_pattern(rows, part_.rows()))
-      analyse(std::move(rows));
+      analyse(rows);
     else
       update(rows);
     exchanged({Task::factor, number_});
@@ -163,10 +159,10 @@ class MumpsFactors final : public SparseFactors {
     return std::ranges::find(errors, error) != errors.end();
   }
 
-  void analyse(Rows rows) {
+  void analyse(const Rows& rows) {
     const auto size = static_cast<PetscInt>(rows.rows());
     exchanged({Task::analyse, number_, size});
-    part_.analyse(std::move(rows), size);
+    part_.analyse(rows, size);
     const std::optional<double> available = available_memory();
     is_good_ = !available || part_.info(megabytes_of_all) < *available;
     if (!is_good_) refuse(available);
