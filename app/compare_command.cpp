@@ -137,7 +137,10 @@ void run_compare(Options options, const std::string& run_folder) {
   const std::string name = std::filesystem::path(options.case_file).stem().string();
   const std::filesystem::path usual = std::filesystem::path("results") / name;
   if (options.output.empty()) options.output = (usual / "compare").string();
-  const auto prepare = [](Case& the_case) { the_case.compare.is_given = true; };
+  const auto prepare = [](Case& the_case) {
+    expect_one_rank();
+    the_case.compare.is_given = true;
+  };
   const auto work = [&](const Case& the_case, const OutputFolder& folder, Record& record) {
     std::vector<Row> rows;
     std::vector<std::string> notes;

@@ -19,6 +19,7 @@
 #include "common/atomic_file.hpp"
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
+#include "common/ranks.hpp"
 
 namespace pennon::app {
 namespace {
@@ -93,11 +94,12 @@ std::filesystem::path program_beside_this() {
   return program;
 }
 
-// The sentence without the name of the program before it, and without what mpiexec says of a
-// program that failed.
+// The sentence without the name of the program before it, and without what mpiexec says, between
+// lines of dashes, of a program that failed; where mpiexec alone speaks, what it says.
 std::string sentence_of(std::string errors) {
-  constexpr std::string_view name = "pennon: ", of_mpiexec = "\n-----";
-  errors = errors.substr(0, errors.find(of_mpiexec));
+  constexpr std::string_view name = "pennon: ", dashes = "-----";
+  if (errors.starts_with(dashes)) errors.erase(0, errors.find('\n') + 1);
+  errors = errors.substr(0, errors.find("\n" + std::string(dashes)));
   while (!errors.empty() && errors.back() == '\n') errors.pop_back();
   return errors.starts_with(name) ? errors.substr(name.size()) : errors;
 }
@@ -124,18 +126,26 @@ void raise(const ProcessEnd& end) {
 
 }  // namespace
 
+void expect_one_rank() {
+  if (ranks::count() > 1)
+    throw InputError("mpiexec",
+                     fmt::format("started {0} ranks, but pennon itself finds global modes on one; "
+                                 "modes.global.ranks = {0} shares the work",
+                                 ranks::count()));
+}
+
 nlohmann::ordered_json solve_global_modes(const modes::global::Problem& problem,
                                           const OutputFolder& folder) {
   const std::filesystem::path asked = folder / "global_problem.toml",
                               answered = folder / "global_modes.json";
   write_file(asked, "# What pennon-global solved.\n" + resolved_text(problem.schema));
   std::vector<std::string> words = {program_beside_this(), asked, answered};
-  const std::int64_t ranks = problem.settings.ranks;
-  if (ranks > 1) {
+  const std::int64_t shared_by = problem.settings.ranks;
+  if (shared_by > 1) {
     if (access(PENNON_MPIEXEC, X_OK) != 0)
-      throw InputError("modes.global.ranks",
-                       fmt::format("{} ranks need {}, which is not there", ranks, PENNON_MPIEXEC));
-    words.insert(words.begin(), {PENNON_MPIEXEC, "-n", std::to_string(ranks)});
+      throw InputError("modes.global.ranks", fmt::format("{} ranks need {}, which is not there",
+                                                         shared_by, PENNON_MPIEXEC));
+    words.insert(words.begin(), {PENNON_MPIEXEC, "-n", std::to_string(shared_by)});
   }
   raise(run_program(words));
   std::ifstream file(answered);

@@ -13,4 +13,7 @@ namespace pennon::app {
 /// where it cannot be started.
 nlohmann::ordered_json solve_global_modes(const modes::global::Problem&, const OutputFolder&);
 
+/// Throws InputError where mpiexec started pennon itself: pennon-global has ranks of its own.
+void expect_one_rank();
+
 }  // namespace pennon::app

@@ -99,7 +99,10 @@ nlohmann::ordered_json global_modes(const Case& the_case, const OutputFolder& fo
 }  // namespace
 
 void run_modes(const Options& options) {
-  const auto prepare = [](Case& the_case) { the_case.modes.is_given = true; };
+  const auto prepare = [](Case& the_case) {
+    if (the_case.global_modes.is_given) expect_one_rank();
+    the_case.modes.is_given = true;
+  };
   const auto work = [](const Case& the_case, const OutputFolder& folder, Record& record) {
     const modes::Result result = [&] {
       const auto timer = record.time("modes");

@@ -269,6 +269,13 @@ TEST_F(ModesGlobal, OnSeveralRanksFindsTheSame) {
   }
 }
 
+TEST_F(ModesGlobal, OnRanksOfItsOwnSaysWhichKeySharesTheWork) {
+  const Outcome outcome =
+      pennon_on(2, {"modes", case_file("target = [0.4, 2.6]\n"), "--output", results()});
+  EXPECT_EQ(outcome.status, bad_input);
+  EXPECT_THAT(outcome.err, HasSubstr("modes.global.ranks = 2 shares the work"));
+}
+
 // MUMPS may have one megabyte.
 TEST_F(ModesGlobal, SaysWhatMemoryItsFactorsNeed) {
   allow_ranks();

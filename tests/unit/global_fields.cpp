@@ -53,6 +53,7 @@ std::vector<Displacement<double>> responses(const dns::OGrid& grid) {
   const MovingCorners corners(Extent{1, grid.n_rho(), grid.n_theta()});
   const Eigen::MatrixXd G = grid_response(grid, nodes);
   std::vector<Displacement<double>> of_nodes;
+  of_nodes.reserve(static_cast<std::size_t>(nodes));
   for (int node = 0; node < nodes; ++node) of_nodes.push_back(corners.unpack<double>(G.col(node)));
   return of_nodes;
 }
