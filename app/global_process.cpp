@@ -97,9 +97,9 @@ std::filesystem::path program_beside_this() {
 // The sentence without the name of the program before it, and without what mpiexec says, between
 // lines of dashes, of a program that failed; where mpiexec alone speaks, what it says.
 std::string sentence_of(std::string errors) {
-  constexpr std::string_view name = "pennon: ", dashes = "-----";
-  if (errors.starts_with(dashes)) errors.erase(0, errors.find('\n') + 1);
-  errors = errors.substr(0, errors.find("\n" + std::string(dashes)));
+  constexpr std::string_view name = "pennon: ", dashes = "\n-----";
+  if (errors.starts_with(dashes.substr(1))) errors.erase(0, errors.find('\n') + 1);
+  errors = errors.substr(0, errors.find(dashes));
   while (!errors.empty() && errors.back() == '\n') errors.pop_back();
   return errors.starts_with(name) ? errors.substr(name.size()) : errors;
 }
