@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "modes/global/jacobian.hpp"
-
 namespace pennon::modes::global {
 namespace {
 
@@ -53,10 +51,9 @@ class InnerEquations {
 };
 
 // A row for each inner corner's displacement, a column for each moving corner's.
-Eigen::SparseMatrix<double> matrix_of(InnerEquations& equations, const Extent& extent) {
+Eigen::SparseMatrix<double> matrix_of(InnerEquations& equations) {
   const MovingCorners& corners = equations.corners;
   std::vector<Eigen::Triplet<double>> entries;
-  Displacement<Complex> d(extent);
   const auto read = [&](int by, int j, int i) {
     for (int at_j = std::max(1, j - reach); at_j < std::min(corners.rows(), j + reach + 1); ++at_j)
       for (int at_i = std::max(0, i - reach); at_i < std::min(corners.columns(), i + reach + 1);
@@ -66,19 +63,8 @@ Eigen::SparseMatrix<double> matrix_of(InnerEquations& equations, const Extent& e
             entries.emplace_back(equations.index(of, at_j, at_i), corners.index(by, j, i),
                                  equations.derivative(of, at_j, at_i));
   };
-  for (const int by : {MovingCorners::along_y, MovingCorners::along_z})
-    for (int row = 0; row < period; ++row)
-      for (int column = 0; column < period; ++column) {
-        const auto for_each_seed = [&](const auto& use) {
-          for (int j = row; j < corners.rows(); j += period)
-            for (int i = column; i < corners.columns(); i += period)
-              if (!corners.is_void(by, i)) use(j, i);
-        };
-        for_each_seed([&](int j, int i) { corners.set(d, by, j, i, Complex(0, complex_step)); });
-        equations.evaluate(d);
-        for_each_seed([&](int j, int i) { read(by, j, i); });
-        for_each_seed([&](int j, int i) { corners.set(d, by, j, i, Complex(0)); });
-      }
+  corners.for_each_step(
+      period, [&](const Displacement<Complex>& step) { equations.evaluate(step); }, read);
   for (int j = 1; j < corners.rows(); ++j)
     for (const int i : {0, corners.columns() - 1})
       entries.emplace_back(equations.index(MovingCorners::along_y, j, i),
@@ -93,8 +79,7 @@ Eigen::SparseMatrix<double> matrix_of(InnerEquations& equations, const Extent& e
 Eigen::MatrixXd grid_response(const OGrid& grid, int nodes) {
   InnerEquations equations(grid);
   const MovingCorners& corners = equations.corners;
-  const Eigen::SparseMatrix<double> matrix =
-      matrix_of(equations, Extent{1, grid.n_rho(), grid.n_theta()});
+  const Eigen::SparseMatrix<double> matrix = matrix_of(equations);
   const Eigen::SparseMatrix<double> inner = matrix.rightCols(equations.unknowns());
   Eigen::UmfPackLU<Eigen::SparseMatrix<double>> factors;
   factors.umfpackControl()(UMFPACK_IRSTEP) =

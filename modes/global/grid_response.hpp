@@ -4,7 +4,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 
+#include "modes/global/jacobian.hpp"
 #include "modes/global/plane_equations.hpp"
 
 namespace pennon::modes::global {
@@ -39,6 +41,31 @@ class MovingCorners {
     field.row(0, j)[below] = direction == along_y ? -value : value;
     field.row(0, j)[i] = is_void(direction, i) ? Scalar(0) : value;
     field.wrap_theta(0, j, j + 1);
+  }
+
+  /// The derivatives by every displacement, by complex steps, of equations that know no two of the
+  /// corners `period` rows and columns apart: these share an evaluation (Curtis, Powell & Reid
+  /// 1974). evaluate(step), then use(direction, j, i) for each corner that was moved.
+  template <class Evaluate, class Use>
+  void for_each_step(int period, const Evaluate& evaluate, const Use& use) const {
+    using Complex = std::complex<double>;
+    Displacement<Complex> step(Extent{1, n_rho_, n_theta_});
+    for (const int direction : {along_y, along_z})
+      for (int row = 0; row < period; ++row)
+        for (int column = 0; column < period; ++column) {
+          const auto for_each_seed = [&](const auto& seed) {
+            for (int j = row; j < rows(); j += period)
+              for (int i = column; i < columns(); i += period)
+                if (!is_void(direction, i)) seed(j, i);
+          };
+          const auto move = [&](double by) {
+            for_each_seed([&](int j, int i) { set(step, direction, j, i, Complex(0, by)); });
+          };
+          move(complex_step);
+          evaluate(step);
+          for_each_seed([&](int j, int i) { use(direction, j, i); });
+          move(0);
+        }
   }
 
   /// The grid, from the displacements in turn.

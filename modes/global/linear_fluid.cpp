@@ -36,7 +36,6 @@ class Assembly {
         corners_(base_.p.extent()),
         result_{.flow = {base_.p.extent(), base_.components(), Symmetry::antisymmetric},
                 .flag_nodes = nodes,
-                .k_x = k_x,
                 .is_symmetric = k_x == 0 || base.parameters.U == 0},
         k_x_(k_x) {
     equations_.set_inflow(base.is_inflow);
@@ -111,28 +110,16 @@ class Assembly {
     }
   }
 
-  // set(step) moves the corners that share an evaluation; use(direction, j, i) each of them.
+  // set(step) gives the equations a step of the corners; use(direction, j, i) each that moved.
   template <class Set, class Use>
   void for_each_step(const Set& set, const Use& use) {
-    Displacement<Complex> step(base_.p.extent());
-    for (const int direction : {MovingCorners::along_y, MovingCorners::along_z})
-      for (int row = 0; row < period; ++row)
-        for (int column = 0; column < period; ++column) {
-          const auto for_each_seed = [&](const auto& seed) {
-            for (int j = row; j < corners_.rows(); j += period)
-              for (int i = column; i < corners_.columns(); i += period)
-                if (!corners_.is_void(direction, i)) seed(j, i);
-          };
-          const auto move = [&](double by) {
-            for_each_seed(
-                [&](int j, int i) { corners_.set(step, direction, j, i, Complex(0, by)); });
-          };
-          move(complex_step);
+    corners_.for_each_step(
+        period,
+        [&](const Displacement<Complex>& step) {
           set(step);
           equations_.evaluate(base_, nullptr, R_, has_span() ? &X_ : nullptr);
-          for_each_seed([&](int j, int i) { use(direction, j, i); });
-          move(0);
-        }
+        },
+        use);
   }
 
   // The grid's displacement and its derivative along x.

@@ -27,7 +27,6 @@ struct LinearFluid {
 
   HalfPlane flow;           ///< v: velocity and pressure of the upper half plane
   Eigen::Index flag_nodes;  ///< those that are free, from the leading edge
-  double k_x = 0;
   /// Whether conj(lambda) is an eigenvalue where lambda is: without a cross-flow, or with no wave
   /// along the span.
   bool is_symmetric = true;
