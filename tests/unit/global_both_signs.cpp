@@ -2,11 +2,11 @@
 // neutral modes and maps with frequencies of either sign, on a small grid.
 #include <gtest/gtest.h>
 
-#include "dns/wall_faces.hpp"
 #include "modes/global/growth_map.hpp"
 #include "modes/global/neutral_curve.hpp"
 #include "modes/global/sampled_fit.hpp"
 #include "modes/global/station.hpp"
+#include "tests/support/small_flag_flow.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -35,14 +35,7 @@ Settings settings_of(double its_k_x) {
                   .mu = Sweep{.list = {{0.2, 0.4, 0.8}}},
                   .K_B = Sweep{.list = {{1e-3, 2e-3}}},
                   .omega = {1, 10}};
-  return resolve(settings, flag,
-                 {.n_rho = 12,
-                  .n_theta = 24,
-                  .n_x = 40,
-                  .R = 3,
-                  .wall_spacing = 0.1,
-                  .wake_clustering = 0,
-                  .dt = 0.015});
+  return resolve(settings, flag, test::small_discretisation);
 }
 
 Station station_of(double its_k_x, double its_U) {

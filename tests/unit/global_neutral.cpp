@@ -6,7 +6,6 @@
 #include <complex>
 
 #include "common/errors.hpp"
-#include "dns/wall_faces.hpp"
 #include "modes/global/aerodynamic_matrix.hpp"
 #include "modes/global/coupled_operator.hpp"
 #include "modes/global/flag_mode.hpp"
@@ -14,6 +13,7 @@
 #include "modes/global/rational_fit.hpp"
 #include "modes/global/sampled_fit.hpp"
 #include "modes/global/spectrum.hpp"
+#include "tests/support/small_flag_flow.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -154,30 +154,16 @@ TEST(GlobalFlagMode, OfAnOscillatorIsTheRootOfItsPolynomialWithItsSlope) {
   EXPECT_LT(std::abs(mode->by_mu - (two.root(1, mu + h) - two.root(1, mu - h)) / (2 * h)), 1e-7);
 }
 
-// A small flag in a small flow.
-struct SmallCase {
-  dns::OGrid grid{{.n_rho = 12, .n_theta = 24, .R = 3, .wall_spacing = 0.1}};
-  double k_x, U;
-  BaseFlow base;
-
-  explicit SmallCase(double its_k_x, double its_U = 0)
-      : k_x(its_k_x),
-        U(its_U),
-        base(base_flow(grid, {.Re = 200, .U = its_U, .tau = 0.01}, its_k_x != 0 ? 3 : 2)) {}
-  FlagOperator flag(double mu) const {
-    return flag_operator(dns::coupled_chord(grid), dns::Edge::pinned, {.mu = mu, .K_B = 1e-3},
-                         base.forces, k_x, 40);
-  }
-  CoupledOperator coupled(double mu) const { return coupled_operator(grid, base, flag(mu), k_x); }
-};
+constexpr int n_theta = 24;
+constexpr double K_B = 1e-3;
 
 TEST(GlobalAerodynamicMatrix, MakesTheFlagAloneHaveTheModesOfTheCoupledOperator) {
   for (const auto& [k_x, U] : {std::pair(0.0, 0.0), std::pair(2.0, 0.0), std::pair(2.0, 0.5)}) {
-    const SmallCase small(k_x, U);
+    const test::SmallFlow small(n_theta, k_x, U);
     constexpr double mu = 0.3;
-    const CoupledOperator coupled = small.coupled(mu);
+    const CoupledOperator coupled = small.coupled(K_B, mu);
     const Eigenpair pair = eigenpair_near(coupled.assembled(), {0, 3});
-    const FlagOperator flag = small.flag(mu);
+    const FlagOperator flag = small.flag(K_B, mu);
     AerodynamicMatrix F(coupled.shared_fluid(), umfpack_factors());
     const Eigen::VectorXcd zeta = pair.q.segment(coupled.zeta(0), coupled.flag_nodes());
     const Eigen::MatrixXcd at = F.at(pair.lambda);
@@ -195,9 +181,9 @@ TEST(GlobalAerodynamicMatrix, MakesTheFlagAloneHaveTheModesOfTheCoupledOperator)
 }
 
 // Where the growth rate of the coupled operator's mode is 0, by the secant method on mu.
-double neutral_by_secants(const SmallCase& small, double mu_0, double mu_1, Complex near) {
+double neutral_by_secants(const test::SmallFlow& small, double mu_0, double mu_1, Complex near) {
   const auto growth = [&](double mu) {
-    const CoupledOperator coupled = small.coupled(mu);
+    const CoupledOperator coupled = small.coupled(K_B, mu);
     near = eigenpair_near(coupled.assembled(), near).lambda;
     return near.real();
   };
@@ -212,9 +198,9 @@ double neutral_by_secants(const SmallCase& small, double mu_0, double mu_1, Comp
 
 TEST(GlobalNeutralModes, AreWhereTheGrowthRateOfTheCoupledOperatorIsZero) {
   for (const double k_x : {0.0, 2.0}) {
-    const SmallCase small(k_x);
-    const FlagOperator flag = small.flag(1);
-    AerodynamicMatrix F(small.coupled(1).shared_fluid(), umfpack_factors());
+    const test::SmallFlow small(n_theta, k_x);
+    const FlagOperator flag = small.flag(K_B);
+    AerodynamicMatrix F(small.coupled(K_B).shared_fluid(), umfpack_factors());
     const SampledFit fit =
         sampled_fit([&](Complex lambda) { return F.at(lambda); }, {1, 10}, 1e-5, 60);
     const std::vector<NeutralMode> modes =

@@ -4,6 +4,7 @@
 #include "modes/global/growth_map.hpp"
 #include "modes/global/neutral_curve.hpp"
 #include "modes/global/station.hpp"
+#include "tests/support/small_flag_flow.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -20,14 +21,7 @@ Settings settings_of(const NeutralSettings& neutral) {
   settings.neutral.check = false;
   settings.neutral.mu = {0.02, 2};
   settings.neutral.omega = {1, 10};
-  return resolve(settings, flag,
-                 {.n_rho = 12,
-                  .n_theta = 24,
-                  .n_x = 40,
-                  .R = 3,
-                  .wall_spacing = 0.1,
-                  .wake_clustering = 0,
-                  .dt = 0.015});
+  return resolve(settings, flag, test::small_discretisation);
 }
 
 NeutralCurve curve_of(const NeutralSettings& neutral) {

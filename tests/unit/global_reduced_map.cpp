@@ -4,41 +4,23 @@
 
 #include <random>
 
-#include "dns/wall_faces.hpp"
 #include "modes/global/aerodynamic_matrix.hpp"
 #include "modes/global/flag_basis.hpp"
 #include "modes/global/growth_map.hpp"
 #include "modes/global/reduced_map.hpp"
 #include "modes/global/spectrum.hpp"
+#include "tests/support/small_flag_flow.hpp"
 
 namespace pennon::modes::global {
 namespace {
 
 using Complex = std::complex<double>;
 
-// The flow past a small flag, and the flags whose K_B varies.
-struct SmallFlow {
-  dns::OGrid grid{{.n_rho = 12, .n_theta = 48, .R = 3, .wall_spacing = 0.1}};
-  double k_x, U;
-  BaseFlow base;
-
-  explicit SmallFlow(double its_k_x = 0, double its_U = 0)
-      : k_x(its_k_x),
-        U(its_U),
-        base(base_flow(grid, {.Re = 200, .U = its_U, .tau = 0.01}, its_k_x != 0 ? 3 : 2)) {}
-  FlagOperator flag(double K_B, double mu = 1) const {
-    return flag_operator(dns::coupled_chord(grid), dns::Edge::pinned, {.mu = mu, .K_B = K_B},
-                         base.forces, k_x, 40);
-  }
-  CoupledOperator coupled(double K_B, double mu = 1) const {
-    return coupled_operator(grid, base, flag(K_B, mu), k_x);
-  }
-};
-
+constexpr int n_theta = 48;
 constexpr double tolerance = 1e-5;  // of lambda
 
 struct SmallMap {
-  SmallFlow small;
+  test::SmallFlow small;
   std::vector<double> K_B = {0, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2}, mu;
   ReducedMapSettings wanted{.windows = {{1, 10}},
                             .mu_of_modes = {1e-3, 20},
@@ -46,7 +28,7 @@ struct SmallMap {
                             .lambda_tolerance = tolerance,
                             .checks = 4};
 
-  explicit SmallMap(double k_x = 0, double U = 0) : small(k_x, U) {
+  explicit SmallMap(double k_x = 0, double U = 0) : small(n_theta, k_x, U) {
     for (int m = 0; m < 16; ++m) mu.push_back(0.05 * std::pow(20, m / 15.0));
   }
   std::vector<FlagOperator> flags() const {
@@ -69,7 +51,7 @@ struct SmallMap {
 };
 
 TEST(GlobalFlagBasis, OfAllShapesLeavesTheFlagAsItIs) {
-  const SmallFlow small;
+  const test::SmallFlow small(n_theta);
   const FlagOperator flag = small.flag(1e-3);
   const Eigen::Index n = flag.mass.size();
   FlagBasis basis(flag.mass, {Eigen::VectorXcd::Ones(n)}, 1e-8);
