@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "analysis/figures_of_run.hpp"
-#include "analysis/run_study.hpp"
+#include "analysis/figures/of_run.hpp"
+#include "analysis/signal/run_study.hpp"
 #include "app/commands.hpp"
 #include "app/run_of_case.hpp"
-#include "common/atomic_file.hpp"
+#include "common/io/atomic_file.hpp"
 
 namespace pennon::app {
 namespace {

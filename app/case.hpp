@@ -6,15 +6,15 @@
 #include <span>
 #include <string>
 
-#include "analysis/settings.hpp"
+#include "analysis/signal/settings.hpp"
 #include "app/compare_settings.hpp"
-#include "common/case_reader.hpp"
-#include "common/parameters.hpp"
-#include "common/schema.hpp"
-#include "dns/settings.hpp"
+#include "common/case/case_reader.hpp"
+#include "common/case/parameters.hpp"
+#include "common/case/schema.hpp"
+#include "dns/run/settings.hpp"
 #include "lsa/settings.hpp"
-#include "modes/global/settings.hpp"
-#include "modes/settings.hpp"
+#include "modes/global/study/settings.hpp"
+#include "modes/normal/settings.hpp"
 
 namespace pennon::app {
 

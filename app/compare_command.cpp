@@ -4,12 +4,12 @@
 #include <numbers>
 #include <optional>
 
-#include "analysis/run_study.hpp"
+#include "analysis/signal/run_study.hpp"
 #include "app/commands.hpp"
 #include "app/global_process.hpp"
 #include "app/run_of_case.hpp"
-#include "common/atomic_file.hpp"
-#include "common/csv.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/io/csv.hpp"
 #include "common/stop_watch.hpp"
 #include "lsa/settings.hpp"
 

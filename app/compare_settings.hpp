@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/case_reader.hpp"
-#include "common/parameters.hpp"
+#include "common/case/case_reader.hpp"
+#include "common/case/parameters.hpp"
 
 namespace pennon::app {
 

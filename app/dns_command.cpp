@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/plot.hpp"
+#include "analysis/figures/plot.hpp"
 #include "app/commands.hpp"
 #include "common/errors.hpp"
-#include "common/ranks.hpp"
-#include "dns/flag_convergence.hpp"
-#include "dns/flag_run.hpp"
-#include "dns/fluid_run.hpp"
-#include "modes/initial_shape.hpp"
-#include "modes/study.hpp"
+#include "common/parallel/ranks.hpp"
+#include "dns/run/flag_convergence.hpp"
+#include "dns/run/flag_run.hpp"
+#include "dns/run/fluid_run.hpp"
+#include "modes/normal/initial_shape.hpp"
+#include "modes/normal/study.hpp"
 
 namespace pennon::app {
 namespace {

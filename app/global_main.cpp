@@ -11,17 +11,17 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "common/atomic_file.hpp"
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
-#include "common/petsc.hpp"
-#include "common/ranks.hpp"
-#include "modes/global/fields_file.hpp"
-#include "modes/global/growth_map.hpp"
-#include "modes/global/neutral_curve.hpp"
-#include "modes/global/slepc/eigensolver.hpp"
-#include "modes/global/slepc/mumps_factors.hpp"
-#include "modes/global/study.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/parallel/ranks.hpp"
+#include "common/petsc/petsc.hpp"
+#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/mumps_factors.hpp"
+#include "modes/global/study/fields_file.hpp"
+#include "modes/global/study/growth_map.hpp"
+#include "modes/global/study/neutral_curve.hpp"
+#include "modes/global/study/study.hpp"
 
 namespace {
 

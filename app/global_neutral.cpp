@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "analysis/plot.hpp"
-#include "common/atomic_file.hpp"
-#include "common/csv.hpp"
-#include "common/hdf5.hpp"
+#include "analysis/figures/plot.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/io/csv.hpp"
+#include "common/io/hdf5.hpp"
 #include "lsa/axis_attributes.hpp"
 #include "lsa/curve.hpp"
 #include "lsa/marks.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/case.hpp"
-#include "common/output_folder.hpp"
+#include "common/io/output_folder.hpp"
 
 namespace pennon::app {
 

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "common/atomic_file.hpp"
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
-#include "common/ranks.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/parallel/ranks.hpp"
 
 namespace pennon::app {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "common/output_folder.hpp"
-#include "modes/global/settings.hpp"
+#include "common/io/output_folder.hpp"
+#include "modes/global/study/settings.hpp"
 
 namespace pennon::app {
 

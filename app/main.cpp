@@ -10,9 +10,9 @@
 #include "app/commands.hpp"
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
-#include "common/petsc.hpp"
-#include "common/ranks.hpp"
-#include "common/version.hpp"
+#include "common/parallel/ranks.hpp"
+#include "common/petsc/petsc.hpp"
+#include "common/record/version.hpp"
 
 namespace {
 

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <numbers>
 
-#include "analysis/plot.hpp"
+#include "analysis/figures/plot.hpp"
 #include "app/commands.hpp"
 #include "app/global_neutral.hpp"
 #include "app/global_process.hpp"
-#include "common/atomic_file.hpp"
-#include "common/csv.hpp"
-#include "modes/study.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/io/csv.hpp"
+#include "modes/normal/study.hpp"
 
 namespace pennon::app {
 namespace {

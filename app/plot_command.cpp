@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "analysis/plot.hpp"
+#include "analysis/figures/plot.hpp"
 #include "app/commands.hpp"
 
 namespace pennon::app {

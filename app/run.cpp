@@ -5,9 +5,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "common/atomic_file.hpp"
-#include "common/ranks.hpp"
-#include "common/version.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/parallel/ranks.hpp"
+#include "common/record/version.hpp"
 
 namespace pennon::app {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/case.hpp"
-#include "common/output_folder.hpp"
-#include "common/record.hpp"
+#include "common/io/output_folder.hpp"
+#include "common/record/record.hpp"
 
 namespace pennon::app {
 

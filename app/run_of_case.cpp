@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "analysis/run_history.hpp"
+#include "analysis/signal/run_history.hpp"
 #include "common/errors.hpp"
 
 namespace pennon::app {

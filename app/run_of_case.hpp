@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/run_context.hpp"
+#include "analysis/signal/run_context.hpp"
 #include "app/case.hpp"
 
 namespace pennon::app {

@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "bench/step_counters.hpp"
-#include "common/petsc.hpp"
-#include "dns/coupling.hpp"
-#include "dns/initial_shape.hpp"
+#include "common/petsc/petsc.hpp"
+#include "dns/coupling/coupling.hpp"
+#include "dns/run/initial_shape.hpp"
 
 namespace pennon::dns {
 namespace {

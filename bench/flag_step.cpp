@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dns/flag_stepper.hpp"
+#include "dns/flag/stepper.hpp"
 
 namespace {
 

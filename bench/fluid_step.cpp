@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "bench/step_counters.hpp"
-#include "common/petsc.hpp"
+#include "common/petsc/petsc.hpp"
 
 namespace pennon::dns {
 namespace {

@@ -7,10 +7,10 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
-#include "common/petsc.hpp"
-#include "modes/global/slepc/eigensolver.hpp"
-#include "modes/global/slepc/mumps_factors.hpp"
-#include "modes/global/study.hpp"
+#include "common/petsc/petsc.hpp"
+#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/mumps_factors.hpp"
+#include "modes/global/study/study.hpp"
 
 namespace pennon::modes::global {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <list>
 
-#include "modes/global/reduced_map.hpp"
-#include "modes/global/station.hpp"
+#include "modes/global/map/reduced_map.hpp"
+#include "modes/global/study/station.hpp"
 
 namespace {
 

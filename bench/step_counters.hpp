@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "common/ranks.hpp"
-#include "dns/fluid.hpp"
+#include "common/parallel/ranks.hpp"
+#include "dns/fluid/fluid.hpp"
 
 namespace pennon::dns {
 

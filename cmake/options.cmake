@@ -14,10 +14,28 @@ if(PENNON_SANITIZE)
   target_link_options(pennon_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# pennon_library(NAME SOURCES... LINK libraries...): the library of one folder.
-function(pennon_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-  add_library(pennon_${name} STATIC ${ARG_SOURCES})
-  add_library(pennon::${name} ALIAS pennon_${name})
-  target_link_libraries(pennon_${name} PUBLIC pennon_options ${ARG_LINK})
+# pennon_library(SOURCES sources... LINK libraries...): the library of one folder, named after it:
+# dns/grid becomes pennon::dns_grid. What a folder may include is what its library links: the global
+# property PENNON_LAYERS lists that for tests/unit/layers.cpp.
+# NAME: for the second library of a folder. Without sources a library is of headers alone.
+function(pennon_library)
+  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LINK" ${ARGN})
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
+             OUTPUT_VARIABLE folder)
+  if(NOT ARG_NAME)
+    string(REPLACE "/" "_" ARG_NAME ${folder})
+  endif()
+  set(library pennon_${ARG_NAME})
+  if(ARG_SOURCES)
+    add_library(${library} STATIC ${ARG_SOURCES})
+    target_link_libraries(${library} PUBLIC pennon_options ${ARG_LINK})
+  else()
+    add_library(${library} INTERFACE)
+    target_link_libraries(${library} INTERFACE pennon_options ${ARG_LINK})
+  endif()
+  add_library(pennon::${ARG_NAME} ALIAS ${library})
+  set(links ${ARG_LINK})
+  list(FILTER links INCLUDE REGEX "^pennon::")
+  list(JOIN links " " links)
+  set_property(GLOBAL APPEND PROPERTY PENNON_LAYERS "${folder} pennon::${ARG_NAME} ${links}")
 endfunction()

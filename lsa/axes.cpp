@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "common/parameters.hpp"
+#include "common/case/parameters.hpp"
 
 namespace pennon::lsa {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/range.hpp"
+#include "common/case/range.hpp"
 #include "lsa/batch.hpp"
 #include "lsa/model.hpp"
 

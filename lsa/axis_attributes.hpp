@@ -1,8 +1,8 @@
 /// How files name the values of a parameter that a curve or map varies.
 #pragma once
 
-#include "common/hdf5.hpp"
-#include "common/sweep.hpp"
+#include "common/case/sweep.hpp"
+#include "common/io/hdf5.hpp"
 #include "lsa/axes.hpp"
 
 namespace pennon::lsa {

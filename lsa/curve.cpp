@@ -5,9 +5,9 @@
 
 #include <limits>
 
-#include "common/atomic_file.hpp"
-#include "common/csv.hpp"
 #include "common/interrupt.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/io/csv.hpp"
 #include "lsa/marks.hpp"
 #include "lsa/quantity.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/hdf5.hpp"
+#include "common/io/hdf5.hpp"
 #include "lsa/axes.hpp"
 #include "lsa/evaluate.hpp"
 #include "lsa/outcomes.hpp"

@@ -8,10 +8,10 @@
 #include <memory>
 #include <utility>
 
-#include "common/atomic_file.hpp"
-#include "common/csv.hpp"
-#include "common/hdf5.hpp"
 #include "common/interrupt.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/io/csv.hpp"
+#include "common/io/hdf5.hpp"
 #include "common/progress.hpp"
 #include "lsa/added_mass.hpp"
 #include "lsa/batch.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/output_folder.hpp"
+#include "common/io/output_folder.hpp"
 #include "lsa/axes.hpp"
 #include "lsa/evaluate.hpp"
 #include "lsa/neutral.hpp"

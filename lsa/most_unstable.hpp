@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "common/sweep.hpp"
+#include "common/case/sweep.hpp"
 #include "lsa/axes.hpp"
 #include "lsa/evaluate.hpp"
 

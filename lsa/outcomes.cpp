@@ -4,9 +4,9 @@
 
 #include <numbers>
 
-#include "common/csv.hpp"
+#include "common/case/parameters.hpp"
 #include "common/errors.hpp"
-#include "common/parameters.hpp"
+#include "common/io/csv.hpp"
 
 namespace pennon::lsa {
 namespace {

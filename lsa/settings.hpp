@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "common/case_reader.hpp"
-#include "common/parameters.hpp"
-#include "common/sweep.hpp"
+#include "common/case/case_reader.hpp"
+#include "common/case/parameters.hpp"
+#include "common/case/sweep.hpp"
 #include "lsa/axes.hpp"
 #include "lsa/evaluate.hpp"
 

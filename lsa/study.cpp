@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/atomic_file.hpp"
-#include "common/csv.hpp"
-#include "common/hdf5.hpp"
+#include "common/io/atomic_file.hpp"
+#include "common/io/csv.hpp"
+#include "common/io/hdf5.hpp"
 
 namespace pennon::lsa {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "common/output_folder.hpp"
-#include "common/parameters.hpp"
+#include "common/case/parameters.hpp"
+#include "common/io/output_folder.hpp"
 #include "lsa/curve.hpp"
 #include "lsa/map.hpp"
 #include "lsa/most_unstable.hpp"

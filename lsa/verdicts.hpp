@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/sweep.hpp"
+#include "common/case/sweep.hpp"
 #include "lsa/evaluate.hpp"
 #include "lsa/outcomes.hpp"
 

@@ -1,11 +1,11 @@
 pennon_test(analysis_tests LABEL unit
   SOURCES
-    unit/analysis_energy_budget.cpp
-    unit/analysis_figure.cpp
-    unit/analysis_figures_of_flag.cpp
-    unit/analysis_growth.cpp
-    unit/analysis_limit_cycle.cpp
-    unit/analysis_raster.cpp
-    unit/analysis_run_history.cpp
-    unit/analysis_surface_picture.cpp
-  LINK pennon::analysis GTest::gmock)
+    unit/analysis/signal/energy_budget.cpp
+    unit/analysis/drawing/figure.cpp
+    unit/analysis/figures/of_flag.cpp
+    unit/analysis/signal/growth.cpp
+    unit/analysis/signal/limit_cycle.cpp
+    unit/analysis/drawing/raster.cpp
+    unit/analysis/signal/run_history.cpp
+    unit/analysis/drawing/surface_picture.cpp
+  LINK pennon::analysis_figures GTest::gmock)

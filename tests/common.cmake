@@ -1,16 +1,16 @@
 pennon_test(common_tests LABEL unit
   SOURCES
     support/case_mutator.cpp
-    unit/common_atomic_file.cpp
-    unit/common_case_fuzz.cpp
-    unit/common_case_reader.cpp
-    unit/common_csv.cpp
-    unit/common_hdf5.cpp
-    unit/common_nearest_name.cpp
-    unit/common_output_folder.cpp
-    unit/common_progress.cpp
-    unit/common_record.cpp
-    unit/common_schema.cpp
-    unit/common_sweep.cpp
-    unit/common_xdmf.cpp
-  LINK pennon::common Boost::headers GTest::gmock util)
+    unit/common/io/atomic_file.cpp
+    unit/common/case/case_fuzz.cpp
+    unit/common/case/case_reader.cpp
+    unit/common/io/csv.cpp
+    unit/common/io/hdf5.cpp
+    unit/common/case/nearest_name.cpp
+    unit/common/io/output_folder.cpp
+    unit/common/progress.cpp
+    unit/common/record/record.cpp
+    unit/common/case/schema.cpp
+    unit/common/case/sweep.cpp
+    unit/common/io/xdmf.cpp
+  LINK pennon::common_case pennon::common_io pennon::common_record Boost::headers GTest::gmock util)

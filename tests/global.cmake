@@ -1,18 +1,20 @@
-pennon_test(test_global_parts LABEL unit SOURCES unit/global_parts.cpp
-            LINK pennon::global pennon::modes)
-pennon_test(test_global_fields LABEL unit SOURCES unit/global_fields.cpp LINK pennon::global)
+pennon_test(test_global_parts LABEL unit SOURCES unit/modes/global/equations/parts.cpp
+            LINK pennon::modes_global_matrix_free pennon::modes_normal)
+pennon_test(test_map_eigenpairs LABEL unit SOURCES unit/modes/global/matrix_free/map_eigenpairs.cpp
+            LINK pennon::modes_global_matrix_free Boost::headers)
+pennon_test(test_global_fields LABEL unit SOURCES unit/modes/global/study/fields.cpp LINK pennon::modes_global_matrix_free)
 pennon_test(test_global_still_fluid LABEL verification
-            SOURCES verification/global_still_fluid.cpp LINK pennon::eigensolver)
+            SOURCES verification/modes/global/still_fluid.cpp LINK pennon::modes_global_study pennon::modes_global_solve_slepc)
 pennon_test(test_global_neutral LABEL unit
-            SOURCES unit/global_neutral.cpp unit/global_neutral_curve.cpp unit/global_reduced_map.cpp unit/global_both_signs.cpp
-            LINK pennon::global)
+            SOURCES unit/modes/global/neutral/neutral.cpp unit/modes/global/study/neutral_curve.cpp unit/modes/global/map/reduced_map.cpp unit/modes/global/study/both_signs.cpp
+            LINK pennon::modes_global_matrix_free)
 pennon_test(test_global_modes LABEL verification
-            SOURCES verification/global_base_flow.cpp verification/global_growth.cpp
-                    verification/global_propagator.cpp
-            LINK pennon::global pennon::modes pennon::dns)
+            SOURCES verification/modes/global/base_flow.cpp verification/modes/global/growth.cpp
+                    verification/modes/global/propagator.cpp
+            LINK pennon::modes_global_matrix_free pennon::modes_normal pennon::dns_run)
 # In a program of its own: PETSc with complex numbers.
-pennon_test(test_global_eigensolver LABEL unit SOURCES unit/global_eigensolver.cpp
-            LINK pennon::eigensolver)
+pennon_test(test_global_eigensolver LABEL unit SOURCES unit/modes/global/solve/eigensolver.cpp
+            LINK pennon::modes_global_study pennon::modes_global_solve_slepc)
 pennon_test(test_global_validation LABEL validation
-            SOURCES validation/global_cases.cpp validation/global_neutral.cpp
-            LINK pennon::global pennon::dns)
+            SOURCES validation/modes/global/cases.cpp validation/modes/global/neutral.cpp
+            LINK pennon::modes_global_matrix_free pennon::dns_run)

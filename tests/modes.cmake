@@ -1,17 +1,16 @@
 pennon_test(test_modes LABEL unit
   SOURCES
-    unit/modes_bessel_zero.cpp
-    unit/modes_decomposition.cpp
-    unit/modes_families.cpp
-    unit/modes_generalised_eigenproblem.cpp
-    unit/modes_initial_shape.cpp
-    unit/modes_map_eigenpairs.cpp
-    unit/modes_settings.cpp
-    unit/modes_spline_space.cpp
-    unit/modes_study.cpp
-  LINK pennon::modes Boost::headers GTest::gmock)
+    unit/modes/normal/bessel_zero.cpp
+    unit/modes/normal/decomposition.cpp
+    unit/modes/normal/families.cpp
+    unit/modes/normal/generalised_eigenproblem.cpp
+    unit/modes/normal/initial_shape.cpp
+    unit/modes/normal/settings.cpp
+    unit/modes/normal/spline_space.cpp
+    unit/modes/normal/study.cpp
+  LINK pennon::modes_normal Boost::headers GTest::gmock)
 pennon_test(test_modes_in_vacuo LABEL verification
-  SOURCES verification/modes_in_vacuo.cpp verification/modes_second_methods.cpp
-  LINK pennon::modes Boost::headers)
+  SOURCES verification/modes/normal/in_vacuo.cpp verification/modes/normal/second_methods.cpp
+  LINK pennon::modes_normal Boost::headers)
 pennon_test(test_modes_bessel_table LABEL validation
-  SOURCES verification/modes_bessel_table.cpp LINK pennon::modes Boost::headers)
+  SOURCES validation/modes/normal/bessel_table.cpp LINK pennon::modes_normal Boost::headers)

@@ -14,12 +14,13 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/source_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/text_file.hpp"
 
 namespace pennon::test {
 
-inline const std::filesystem::path source = PENNON_SOURCE_DIR;
+inline const std::filesystem::path source = source_folder();
 inline const std::filesystem::path table_1_cases = source / "data/cases/table1";
 
 constexpr int done = 0, other = 1, bad_input = 2, not_converged = 3;

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "dns/coupling.hpp"
-#include "dns/initial_shape.hpp"
+#include "dns/coupling/coupling.hpp"
+#include "dns/run/initial_shape.hpp"
 
 namespace pennon::test {
 

@@ -7,9 +7,10 @@
 #include <filesystem>
 #include <numbers>
 
-#include "analysis/figure.hpp"
-#include "common/csv.hpp"
+#include "analysis/drawing/figure.hpp"
+#include "common/io/csv.hpp"
 #include "lsa/evaluate.hpp"
+#include "tests/support/source_folder.hpp"
 #include "tests/support/tool.hpp"
 
 namespace pennon {
@@ -19,7 +20,7 @@ using analysis::Figure;
 using analysis::Line;
 using analysis::Marks;
 
-const std::filesystem::path reference = PENNON_SOURCE_DIR "/data/reference/pennon";
+const std::filesystem::path reference = test::source_folder() / "data/reference/pennon";
 
 // The growth of one wave along the span over its wavenumber: the simulation's, and the local
 // theory's as the paper's figure 5 has it.

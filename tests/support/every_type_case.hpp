@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "common/case_reader.hpp"
-#include "common/parameters.hpp"
-#include "common/schema.hpp"
+#include "common/case/case_reader.hpp"
+#include "common/case/parameters.hpp"
+#include "common/case/schema.hpp"
 
 namespace pennon::test {
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "dns/flag.hpp"
+#include "dns/flag/flag.hpp"
 
 namespace pennon::test {
 

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "analysis/figure.hpp"
-#include "common/csv.hpp"
+#include "analysis/drawing/figure.hpp"
+#include "common/io/csv.hpp"
+#include "tests/support/source_folder.hpp"
 #include "tests/support/tool.hpp"
 
 namespace pennon {
@@ -14,7 +15,7 @@ namespace {
 
 using analysis::Figure;
 
-const std::filesystem::path reference = PENNON_SOURCE_DIR "/data/reference/pennon";
+const std::filesystem::path reference = test::source_folder() / "data/reference/pennon";
 
 double number(const CsvTable& table, std::size_t row, const std::string& column) {
   return table.number(row, table.column(column)).value_or(NAN);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "dns/fluid.hpp"
-#include "dns/fluid_forces.hpp"
+#include "dns/fluid/fluid.hpp"
+#include "dns/fluid/forces.hpp"
 
 namespace pennon::test {
 

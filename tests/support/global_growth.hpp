@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "dns/mode_start.hpp"
+#include "dns/coupling/mode_start.hpp"
 #include "tests/support/global_mode.hpp"
 
 namespace pennon::test {

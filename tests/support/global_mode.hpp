@@ -1,7 +1,7 @@
 /// A global mode of a small coupled case, found by inverse iteration.
 #pragma once
 
-#include "modes/global/flow_mode.hpp"
+#include "modes/global/matrix_free/flow_mode.hpp"
 #include "tests/support/coupled.hpp"
 
 namespace pennon::test {

@@ -5,8 +5,8 @@
 #include <complex>
 #include <vector>
 
-#include "dns/elliptic_grid.hpp"
-#include "dns/o_grid.hpp"
+#include "dns/grid/elliptic_grid.hpp"
+#include "dns/grid/o_grid.hpp"
 
 namespace pennon::test {
 

@@ -9,7 +9,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "common/csv.hpp"
+#include "common/io/csv.hpp"
+#include "tests/support/source_folder.hpp"
 #include "tests/support/text_file.hpp"
 #include "tests/support/tool.hpp"
 
@@ -31,7 +32,7 @@ struct Source {
 
 std::vector<Source> sources_of(const std::filesystem::path& run) {
   std::vector<Source> sources;
-  sources.push_back({CsvTable(run / "analysis/spanwise_amplitudes.csv"), {"z_antinode"}});
+  sources.push_back({CsvTable(run / "analysis/signal/spanwise_amplitudes.csv"), {"z_antinode"}});
   for (int n = 0; n < most_waves; ++n)
     if (const std::string zeta_n = fmt::format("zeta_{}", n); sources.back().table.has(zeta_n))
       sources.back().columns.push_back(zeta_n);
@@ -69,7 +70,7 @@ std::string thinned(const std::filesystem::path& run) {
 
 void keep(char** argv) {
   const std::filesystem::path run = argv[1];
-  const std::filesystem::path kept = PENNON_SOURCE_DIR "/data/reference/pennon/runs";
+  const std::filesystem::path kept = test::source_folder() / "data/reference/pennon/runs";
   const std::string name = argv[2];
   std::filesystem::create_directories(kept);
   test::write_text(kept / (name + ".csv"), thinned(run));

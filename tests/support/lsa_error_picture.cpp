@@ -11,7 +11,7 @@
 #include <limits>
 #include <random>
 
-#include "analysis/figure.hpp"
+#include "analysis/drawing/figure.hpp"
 #include "lsa/evaluate.hpp"
 #include "tests/support/lsa_oracle.hpp"
 

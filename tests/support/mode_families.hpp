@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "modes/bessel.hpp"
-#include "modes/hanging_chain.hpp"
-#include "modes/in_vacuo.hpp"
+#include "modes/normal/bessel.hpp"
+#include "modes/normal/hanging_chain.hpp"
+#include "modes/normal/in_vacuo.hpp"
 
 namespace pennon::test {
 

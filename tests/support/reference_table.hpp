@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "common/csv.hpp"
+#include "common/io/csv.hpp"
+#include "tests/support/source_folder.hpp"
 #include "tests/support/text_file.hpp"
 
 namespace pennon::test {
@@ -19,7 +20,7 @@ namespace pennon::test {
 inline void expect_reference(const std::string& file_name, const std::string& comment,
                              const std::vector<std::string>& columns,
                              const std::vector<std::vector<double>>& rows, double tolerance) {
-  const std::string file = std::string(PENNON_SOURCE_DIR "/data/reference/pennon/") + file_name;
+  const std::string file = (test::source_folder() / "data/reference/pennon" / file_name).string();
   if (std::getenv("PENNON_WRITE_REFERENCE")) {
     CsvText text(comment, columns);
     for (const std::vector<double>& row : rows) text.row(row);

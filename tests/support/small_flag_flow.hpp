@@ -1,9 +1,9 @@
 /// A small flag in a small flow, for what is asked of the flag's own equations: seconds for all.
 #pragma once
 
-#include "dns/wall_faces.hpp"
-#include "modes/global/coupled_operator.hpp"
-#include "modes/global/settings.hpp"
+#include "dns/fluid/equations/wall_faces.hpp"
+#include "modes/global/equations/coupled_operator.hpp"
+#include "modes/global/study/settings.hpp"
 
 namespace pennon::test {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/run_history.hpp"
-#include "common/hdf5.hpp"
+#include "analysis/signal/run_history.hpp"
+#include "common/io/hdf5.hpp"
 #include "tests/support/text_file.hpp"
 
 namespace pennon::test {
@@ -79,7 +79,7 @@ inline void add_probe(analysis::RunHistory& run, double y, double z, const Motio
   run.probes.push_back(std::move(probe));
 }
 
-/// Writes history.h5 of a run in the form of dns/fluid_history.
+/// Writes history.h5 of a run in the form of dns/run/fluid_history.
 inline void write_history(const analysis::RunHistory& run, const std::filesystem::path& file_name,
                           const std::string& kind = "coupled_history") {
   const hsize_t rows = run.t.size(), planes = run.planes();

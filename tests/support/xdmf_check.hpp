@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "common/hdf5.hpp"
+#include "common/io/hdf5.hpp"
 
 namespace pennon::test {
 

@@ -1,0 +1,167 @@
+#include "analysis/figures/of_lsa.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pennon::analysis {
+namespace {
+
+constexpr std::size_t most_nodes_drawn = 1000;  // along an axis; a picture shows no more
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+FigureAxis axis_of(const hdf5::Reader& file, const std::string& array) {
+  FigureAxis axis;
+  axis.label = file.text(array, "label");
+  axis.is_log = file.text(array, "scale") == "log";
+  return axis;
+}
+
+// The axis ends where the curve does.
+void fit(FigureAxis& axis, const std::vector<double>& increasing) {
+  if (increasing.size() < 2) return;
+  axis.low = increasing.front();
+  axis.high = increasing.back();
+}
+
+std::vector<double> row(const hdf5::Array& array, std::size_t index) {
+  const auto width = static_cast<std::ptrdiff_t>(array.shape[1]);
+  const auto begin = array.values.begin() + static_cast<std::ptrdiff_t>(index) * width;
+  return {begin, begin + width};
+}
+
+Stroke stroke(std::size_t index) {
+  return static_cast<Stroke>(index % 4);
+}
+
+// "k_x L = 0.5"; no spanwise variation is called by its name.
+std::string member_label(const hdf5::Reader& file, double member) {
+  if (file.text("/family", "name") == "k_x" && member == 0) return "2D";
+  return fmt::format("{} = {:.4g}", file.text("/family", "label"), member);
+}
+
+void add_marks(const hdf5::Reader& file, Figure& figure) {
+  if (!file.contains("/marks/x")) return;
+  const hdf5::Array x = file.read("/marks/x");
+  const hdf5::Array y = file.read("/marks/y");
+  const hdf5::Array unstable = file.read("/marks/unstable");
+  Marks stable_marks{{}, {}, "stable in the table", Marker::square, false, 0};
+  Marks unstable_marks{{}, {}, "unstable in the table", Marker::square, true, 0};
+  for (std::size_t i = 0; i < x.values.size(); ++i) {
+    Marks& marks = unstable.values[i] > 0 ? unstable_marks : stable_marks;
+    marks.x.push_back(x.values[i]);
+    marks.y.push_back(y.values[i]);
+  }
+  for (Marks* marks : {&stable_marks, &unstable_marks})
+    if (!marks->x.empty()) figure.marks.push_back(std::move(*marks));
+}
+
+std::size_t thinning(std::size_t nodes) {
+  return (nodes + most_nodes_drawn - 1) / most_nodes_drawn;
+}
+
+// Blanks what does not grow, but for the nodes next to those that do, so that the colours reach the
+// neutral curve.
+void leave_stable_side_white(Field& field) {
+  const std::size_t width = field.x.size();
+  const std::size_t height = field.y.size();
+  const std::vector<double> growth = field.values;
+  const auto grows_near = [&](std::size_t i, std::size_t j) {
+    for (std::size_t b = j - std::min<std::size_t>(j, 1); b <= std::min(j + 1, height - 1); ++b)
+      for (std::size_t a = i - std::min<std::size_t>(i, 1); a <= std::min(i + 1, width - 1); ++a)
+        if (growth[b * width + a] > 0) return true;
+    return false;
+  };
+  for (std::size_t j = 0; j < height; ++j)
+    for (std::size_t i = 0; i < width; ++i)
+      if (!grows_near(i, j)) field.values[j * width + i] = none;
+}
+
+Field field_of(const hdf5::Reader& file) {
+  const std::string name = file.text("/", "picture");
+  const std::string array = "/fields/" + name;
+  const hdf5::Shape shape = file.shape(array);
+  const hdf5::Shape strides = {thinning(shape[0]), thinning(shape[1])};
+  Field field{file.read_every("/x", {strides[1]}).values,
+              file.read_every("/y", {strides[0]}).values, file.read_every(array, strides).values,
+              file.text(array, "label"), file.number(array, "is_signed", 0) != 0};
+  if (name == "growth") leave_stable_side_white(field);
+  return field;
+}
+
+}  // namespace
+
+Figure figure_of_curve(const hdf5::Reader& file) {
+  Figure figure;
+  figure.title = file.text("/", "title");
+  figure.x = axis_of(file, "/x");
+  figure.y = axis_of(file, "/values");
+  const std::vector<double> x = file.read("/x").values;
+  fit(figure.x, x);
+  const hdf5::Array values = file.read("/values");
+  const bool is_family = file.contains("/family");
+  const std::vector<double> family =
+      is_family ? file.read("/family").values : std::vector<double>{none};
+  for (std::size_t i = 0; i < family.size(); ++i)
+    figure.lines.push_back({x, row(values, i), is_family ? member_label(file, family[i]) : "",
+                            stroke(i), static_cast<int>(i)});
+  add_marks(file, figure);
+  return figure;
+}
+
+Figure figure_of_map(const hdf5::Reader& file) {
+  Figure figure;
+  figure.title = file.text("/", "title");
+  figure.x = axis_of(file, "/x");
+  figure.y = axis_of(file, "/y");
+  figure.field = field_of(file);
+  if (file.contains("/neutral/x"))
+    figure.lines.push_back({file.read("/neutral/x").values, file.read("/neutral/y").values,
+                            file.text("/neutral/x", "label", "neutral curve {/:Italic P} = 0"),
+                            Stroke::solid, 0, 2.0});
+  add_marks(file, figure);
+  return figure;
+}
+
+Figure figure_of_verdicts(const hdf5::Reader& file) {
+  Figure figure;
+  figure.title = file.text("/", "title");
+  figure.x = axis_of(file, "/x");
+  figure.y = axis_of(file, "/values");
+  figure.y.low = 0;
+  const std::vector<double> x = file.read("/x").values;
+  fit(figure.x, x);
+  const hdf5::Array values = file.read("/values");
+  const std::vector<double> spans = file.read("/family").values;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const std::string label =
+        spans[i] == 0 ? "2D"
+                      : fmt::format("{{/:Italic γ}} = {:.3g}", 2 * std::numbers::pi / spans[i]);
+    figure.lines.push_back({x, row(values, i), label, stroke(i), static_cast<int>(i + 1)});
+  }
+  const std::vector<double> mass_ratios = file.read("/mu").values;
+  figure.y.high = 1.3 * *std::ranges::max_element(mass_ratios);
+  for (std::size_t i = 0; i < mass_ratios.size(); ++i)
+    figure.lines.push_back({{x.front(), x.back()},
+                            {mass_ratios[i], mass_ratios[i]},
+                            i == 0 ? "{/:Italic μ} of the table" : "",
+                            Stroke::dotted,
+                            0,
+                            1.0});
+  if (file.contains("/reproduced")) {
+    const std::vector<double> ends = file.read("/reproduced").values;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      figure.lines.push_back({{ends[i], ends[i]},
+                              {0, *figure.y.high},
+                              i == 0 ? "all reproduced between" : "",
+                              Stroke::dashed,
+                              0,
+                              1.0});
+  }
+  return figure;
+}
+
+}  // namespace pennon::analysis

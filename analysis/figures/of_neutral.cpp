@@ -1,0 +1,96 @@
+#include "analysis/figures/of_neutral.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace pennon::analysis {
+namespace {
+
+struct LocalTheory {
+  const char* array;
+  const char* label;
+};
+constexpr std::array local_theories = {
+    LocalTheory{"two_d", "local theory, {/:Italic c_m} in 2D"},
+    LocalTheory{"wu", "local theory, {/:Italic c_m} of Wu"},
+    LocalTheory{"lamb", "local theory, {/:Italic c_m} of Lamb"},
+    LocalTheory{"minami", "local theory, {/:Italic c_m} of Minami"}};
+
+// Of what is drawn, a little above the highest point.
+constexpr double headroom = 1.15;
+
+double highest(const std::vector<double>& values, double so_far) {
+  for (const double value : values)
+    if (std::isfinite(value)) so_far = std::max(so_far, value);
+  return so_far;
+}
+
+void add_local_theories(const hdf5::Reader& file, Figure& figure) {
+  int color = 1;
+  for (const auto& [array, label] : local_theories) {
+    const std::string group = std::string("/local/") + array;
+    if (file.contains(group + "/x"))
+      figure.lines.push_back({file.read(group + "/x").values, file.read(group + "/y").values, label,
+                              Stroke::dashed, color});
+    ++color;
+  }
+}
+
+void add_outcomes(const hdf5::Reader& file, Figure& figure) {
+  if (!file.contains("/marks/x")) return;
+  const std::vector<double> x = file.read("/marks/x").values, y = file.read("/marks/y").values,
+                            unstable = file.read("/marks/unstable").values;
+  for (const bool is_unstable : {false, true}) {
+    Marks marks{{},
+                {},
+                is_unstable ? "unstable in the table" : "stable in the table",
+                Marker::square,
+                is_unstable,
+                0};
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if ((unstable[i] > 0) == is_unstable) {
+        marks.x.push_back(x[i]);
+        marks.y.push_back(y[i]);
+      }
+    if (!marks.x.empty()) figure.marks.push_back(std::move(marks));
+  }
+}
+
+}  // namespace
+
+Figure figure_of_neutral_curve(const hdf5::Reader& file) {
+  Figure figure;
+  figure.title = file.text("/", "title");
+  figure.x.label = file.text("/x", "label");
+  figure.x.is_log = file.text("/x", "scale") == "log";
+  figure.y.label = file.text("/mu_cr", "label");
+  const std::vector<double> x = file.read("/x").values, mu = file.read("/mu_cr").values;
+  if (x.size() > 1) {
+    figure.x.low = x.front();
+    figure.x.high = x.back();
+  }
+  figure.lines.push_back({x, mu, "global modes", Stroke::solid, 0, 2.5});
+  add_local_theories(file, figure);
+  add_outcomes(file, figure);
+  double top = 0;
+  for (const Line& line : figure.lines) top = highest(line.y, top);
+  for (const Marks& marks : figure.marks) top = highest(marks.y, top);
+  figure.y.low = 0;
+  figure.y.high = headroom * top;
+  const hdf5::Array branches = file.read("/branches");
+  for (std::size_t b = 0; b < branches.shape[0]; ++b) {
+    const auto begin = branches.values.begin() + static_cast<std::ptrdiff_t>(b * x.size());
+    figure.lines.push_back({x,
+                            {begin, begin + static_cast<std::ptrdiff_t>(x.size())},
+                            b == 0 ? "neutral modes that were followed" : "",
+                            Stroke::dotted,
+                            0,
+                            1.0});
+  }
+  figure.marks.push_back({x, mu, "", Marker::circle, true, 0});
+  return figure;
+}
+
+}  // namespace pennon::analysis

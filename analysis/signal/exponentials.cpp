@@ -1,0 +1,71 @@
+#include "analysis/signal/exponentials.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace pennon::analysis {
+namespace {
+
+using Matrix = Eigen::MatrixXcd;
+using Vector = Eigen::VectorXcd;
+
+// Singular values below this share of the largest are roundoff.
+constexpr double roundoff = 1e-9;
+
+Matrix hankel(const Complexes& samples) {
+  const auto columns = static_cast<Eigen::Index>(samples.size() / 3 + 1);
+  const Eigen::Index rows = static_cast<Eigen::Index>(samples.size()) - columns + 1;
+  Matrix matrix(rows, columns);
+  for (Eigen::Index j = 0; j < columns; ++j)
+    for (Eigen::Index i = 0; i < rows; ++i) matrix(i, j) = samples[static_cast<std::size_t>(i + j)];
+  return matrix;
+}
+
+// How many singular values are signal: those above the optimal threshold for white noise of unknown
+// level, omega(beta) times the median (Gavish & Donoho 2014, equation 5).
+Eigen::Index rank_of(const Eigen::VectorXd& values, double beta, std::size_t most) {
+  const double omega = ((0.56 * beta - 0.95) * beta + 1.82) * beta + 1.43;
+  const double least = std::max(omega * values(values.size() / 2), roundoff * values(0));
+  const auto above =
+      std::count_if(values.begin(), values.end(), [&](double value) { return value > least; });
+  return std::min(above, static_cast<Eigen::Index>(most));
+}
+
+// The amplitudes that fit the samples best, in the least-squares sense.
+Vector amplitudes_of(const Vector& z, const Complexes& samples) {
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  Matrix powers(count, z.size());
+  powers.row(0).setOnes();
+  for (Eigen::Index k = 1; k < count; ++k)
+    powers.row(k) = powers.row(k - 1).cwiseProduct(z.transpose());
+  const Eigen::RowVectorXd sizes = powers.colwise().norm();
+  powers.array().rowwise() /= sizes.array().cast<std::complex<double>>();
+  const Vector scaled =
+      powers.colPivHouseholderQr().solve(Eigen::Map<const Vector>(samples.data(), count));
+  return scaled.cwiseQuotient(sizes.transpose().cast<std::complex<double>>());
+}
+
+}  // namespace
+
+std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt, std::size_t most) {
+  assert(samples.size() >= 8);
+  const Matrix matrix = hankel(samples);
+  const Eigen::BDCSVD<Matrix> svd(matrix, Eigen::ComputeThinV);
+  if (!(svd.singularValues()(0) > 0)) return {};
+  const double beta = static_cast<double>(matrix.cols()) / static_cast<double>(matrix.rows());
+  const Eigen::Index rank = rank_of(svd.singularValues(), beta, most);
+  if (rank == 0) return {};
+  const Matrix space = svd.matrixV().leftCols(rank).conjugate();
+  const Eigen::Index shifted = space.rows() - 1;
+  const Matrix shift =
+      space.topRows(shifted).colPivHouseholderQr().solve(space.bottomRows(shifted));
+  const Vector z = Eigen::ComplexEigenSolver<Matrix>(shift, false).eigenvalues();
+  const Vector amplitudes = amplitudes_of(z, samples);
+  std::vector<Exponential> found;
+  for (Eigen::Index i = 0; i < rank; ++i) found.push_back({std::log(z(i)) / dt, amplitudes(i)});
+  return found;
+}
+
+}  // namespace pennon::analysis

@@ -1,0 +1,33 @@
+#include "common/petsc/petsc.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "common/errors.hpp"
+
+namespace pennon::petsc {
+
+void check(PetscErrorCode code, const char* file, int line) {
+  if (code == 0) return;
+  const char* text = nullptr;
+  PetscErrorMessage(code, &text, nullptr);
+  throw SolverError(fmt::format("PETSc: {} ({}:{})", text ? text : "unknown error",
+                                std::filesystem::path(file).filename().string(), line));
+}
+
+Session::Session() {
+  check(PetscInitializeNoArguments());
+  check(PetscPopSignalHandler());  // signals are the program's own affair
+  check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+}
+
+Session::~Session() {
+  PetscFinalize();
+}
+
+void start() {
+  static const Session session;
+}
+
+}  // namespace pennon::petsc

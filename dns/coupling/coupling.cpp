@@ -1,0 +1,317 @@
+#include "dns/coupling/coupling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/errors.hpp"
+#include "common/parallel/ranks.hpp"
+#include "common/stop_watch.hpp"
+
+namespace pennon::dns {
+namespace {
+
+// The grid's wall is led back to the flag, from which it strays by what the extrapolation misses,
+// at this rate, in V/L.
+constexpr double rate_of_return = 1;
+
+}  // namespace
+
+template <int dim>
+NodeVectors<dim> stretched_by_friction(const FlagMesh& mesh, const NodeVectors<dim>& x, double K_S,
+                                       double Re) {
+  NodeVectors<dim> stretched = x;
+  for (int m = 0; m < mesh.stations(); ++m)
+    for (int j = 1; j < mesh.chord_nodes(); ++j) {
+      const double tension = 1.3 / std::sqrt(Re) * (1 - std::sqrt((mesh.y(j - 1) + mesh.y(j)) / 2));
+      const int node = mesh.index(m, j);
+      stretched.col(node) =
+          stretched.col(node - 1) + (1 + tension / K_S) * (x.col(node) - x.col(node - 1));
+    }
+  return stretched;
+}
+
+template <int dim>
+Coupling<dim>::Coupling(Fluid& fluid, const Flag<dim>& flag,
+                        const Eigen::Matrix<double, dim, 1>& gravity,
+                        const CouplingSettings& settings)
+    : fluid_(fluid),
+      flag_(flag),
+      grid_(fluid.grid()),
+      settings_(settings),
+      added_mass_(fluid.grid(), flag.mesh(), flag.material().mu),
+      newton_(flag, {.contraction = usual_contraction<dim>}),
+      acceleration_(Eigen::Index{flag.mesh().stations()} * (flag.mesh().chord_nodes() - 1),
+                    static_cast<int>(settings.most_passes)),
+      stations_(flag.mesh().stations()),
+      segments_(flag.mesh().chord_nodes() - 1),
+      weights_(stations_, segments_) {
+  equation_.loads.gravity = gravity;
+  equation_.added_mass = &added_mass_;
+  for (int s = 0; s < segments_; ++s)
+    weights_.col(s).setConstant(std::sqrt(flag.mesh().dy(s) / stations_));
+}
+
+template <int dim>
+CoupledState<dim> Coupling<dim>::start(const NodeVectors<dim>& x, double t) {
+  CoupledState<dim> state;
+  state.flag.t = t;
+  state.flag.x = x;
+  state.flag.v = NodeVectors<dim>::Zero(dim, x.cols());
+  state.fluid = fluid_.impulsive_start([&](double, WallShape& wall) { wall = wall_of(x); }, t);
+  return state;
+}
+
+// --- From the flag to the fluid's wall, and back
+
+template <int dim>
+WallShape Coupling<dim>::wall_of(const NodeVectors<dim>& x) const {
+  const Extent& extent = fluid_.extent();
+  WallShape wall{std::vector<double>(extent.wall_faces()),
+                 std::vector<double>(extent.wall_faces())};
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int i = 0; i < extent.n_theta; ++i) {
+      const int j = std::abs(extent.n_theta / 2 - i);
+      const auto node = x.col(flag_.mesh().index(fluid_.span().first_plane() + plane, j));
+      wall.y[extent.wall_face(plane, i)] = node[dim - 2] - flag_.mesh().y(j);
+      wall.z[extent.wall_face(plane, i)] = node[dim - 1];
+    }
+  return wall;
+}
+
+template <int dim>
+NodeVectors<dim> Coupling<dim>::velocity_ahead(const CoupledState<dim>& state,
+                                               const BackwardDifference& D) const {
+  NodeVectors<dim> velocity = D.guess_last * state.flag.v;
+  if (D.guess_before != 0) velocity += D.guess_before * state.flag.previous_v;
+  return velocity;
+}
+
+// The wall at the end of the step: its velocity by backward differences is the flag's,
+// extrapolated.
+template <int dim>
+WallShape Coupling<dim>::wall_ahead(const CoupledState<dim>& state,
+                                    const NodeVectors<dim>& velocity,
+                                    const BackwardDifference& D) const {
+  const Extent& extent = fluid_.extent();
+  const WallShape flag = wall_of(state.flag.x);
+  WallShape wall = flag;
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int i = 0; i < extent.n_theta; ++i) {
+      const int j = std::abs(extent.n_theta / 2 - i);
+      const auto v = velocity.col(flag_.mesh().index(fluid_.span().first_plane() + plane, j));
+      const std::size_t face = extent.wall_face(plane, i);
+      const auto ahead = [&](double v_c, double at_flag, Field<double> Displacement<double>::*c) {
+        const double last = (state.fluid.grid[0].*c).row(plane, 0)[i];
+        const double before = (state.fluid.grid[1].*c).row(plane, 0)[i];
+        return (v_c + rate_of_return * (at_flag - last) - D.last * last - D.before * before) /
+               D.next;
+      };
+      wall.y[face] = ahead(v[dim - 2], flag.y[face], &Displacement<double>::y);
+      wall.z[face] = ahead(v[dim - 1], flag.z[face], &Displacement<double>::z);
+    }
+  return wall;
+}
+
+// Appends to `values` for each segment, upper face and lower face of the planes here; those of all
+// ranks.
+template <int dim>
+template <class Append>
+std::vector<double> Coupling<dim>::gather(const Append& append) const {
+  const Extent& extent = fluid_.extent();
+  std::vector<double> values;
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int s = 0; s < segments_; ++s)
+      append(extent.wall_face(plane, upper_face(extent.n_theta, s)),
+             extent.wall_face(plane, lower_face(extent.n_theta, s)), values);
+  return ranks::gather_all(values);
+}
+
+// Of the segments, as their upper faces have them.
+template <int dim>
+NodeVectors<dim> Coupling<dim>::areas() const {
+  const FaceMetrics<double>& faces = fluid_.metrics().rho_faces;
+  const std::array<const Field<double>*, 3> along = {&faces.area_x, &faces.area_y, &faces.area_z};
+  const auto n_theta = static_cast<std::size_t>(grid_.n_theta());
+  const std::vector<double> all =
+      gather([&](std::size_t upper, std::size_t, std::vector<double>& values) {
+        for (std::size_t axis = 3 - dim; axis < 3; ++axis)
+          values.push_back(along[axis]->row(static_cast<int>(upper / n_theta), 0)[upper % n_theta]);
+      });
+  return Eigen::Map<const NodeVectors<dim>>(all.data(), dim, Eigen::Index{stations_} * segments_);
+}
+
+// Those on the nodes that the passes do not change: the friction of both sides and outer_force_.
+template <int dim>
+NodeVectors<dim> Coupling<dim>::fixed_forces() const {
+  const WallTraction traction = wall_friction(fluid_, fluid_.predicted_velocity());
+  const std::vector<double> all =
+      gather([&](std::size_t upper, std::size_t lower, std::vector<double>& values) {
+        for (std::size_t axis = 3 - dim; axis < 3; ++axis)
+          values.push_back(traction.force[axis][upper] + traction.force[axis][lower]);
+      });
+  const double half = 0.5 * (dim == 2 ? 1.0 : flag_.mesh().dx());
+  NodeVectors<dim> forces = outer_force_;
+  if (forces.size() == 0) forces.setZero(dim, flag_.mesh().nodes());
+  const double* force = all.data();
+  for (int m = 0; m < stations_; ++m)
+    for (int s = 0; s < segments_; ++s, force += dim) {
+      const Eigen::Map<const Eigen::Matrix<double, dim, 1>> of_segment(force);
+      forces.col(flag_.mesh().index(m, s)) += half * of_segment;
+      forces.col(flag_.mesh().index(m, s + 1)) += half * of_segment;
+    }
+  return forces;
+}
+
+// The pressure below less that above.
+template <int dim>
+SegmentValues Coupling<dim>::jump(const FluidState& state) const {
+  const std::vector<double> pressure = wall_pressure(state.p);
+  const std::vector<double> all =
+      gather([&](std::size_t upper, std::size_t lower, std::vector<double>& values) {
+        values.push_back(pressure[lower] - pressure[upper]);
+      });
+  return Eigen::Map<const SegmentValues>(all.data(), stations_, segments_);
+}
+
+template <int dim>
+void Coupling<dim>::move_wall(const NodeVectors<dim>& v) {
+  const Extent& extent = fluid_.extent();
+  std::vector<double> velocity(extent.wall_faces());
+  for (std::size_t axis = 3 - dim; axis < 3; ++axis) {
+    for (int plane = 0; plane < extent.planes; ++plane)
+      for (int s = 0; s < segments_; ++s) {
+        const int node = flag_.mesh().index(fluid_.span().first_plane() + plane, s);
+        const auto row = static_cast<Eigen::Index>(axis) - (3 - dim);
+        const double mean = 0.5 * (v(row, node) + v(row, node + 1));
+        velocity[extent.wall_face(plane, upper_face(extent.n_theta, s))] = mean;
+        velocity[extent.wall_face(plane, lower_face(extent.n_theta, s))] = mean;
+      }
+    fluid_.set_wall_velocity(component_of[axis], velocity);
+  }
+}
+
+// --- The step
+
+template <int dim>
+SegmentValues Coupling<dim>::guessed_jump(const CoupledState<dim>& state,
+                                          const BackwardDifference& D) const {
+  if (state.jump.size() == 0) return SegmentValues::Zero(stations_, segments_);
+  if (state.previous_jump.size() == 0) return state.jump;
+  return D.guess_last * state.jump + D.guess_before * state.previous_jump;
+}
+
+template <int dim>
+double Coupling<dim>::root_mean_square(const SegmentValues& jump) const {
+  return jump.cwiseProduct(weights_).norm();
+}
+
+// The flag's end of the step under the reduced jump g: x_, v_, a_.
+template <int dim>
+void Coupling<dim>::solve_flag(const CoupledState<dim>& state, const NodeVectors<dim>& fixed,
+                               const SegmentValues& g, CoupledStepSummary& summary) {
+  const StopWatch watch;
+  equation_.loads.node_forces = fixed;
+  added_mass_.add_force(g, equation_.loads.node_forces);
+  StepSummary newton;
+  if (!newton_.solve(state.flag.x, equation_, x_, v_, newton))
+    throw SolverError(
+        fmt::format("at t = {:.6g}: the flag's step did not converge in {} Newton iterations, the "
+                    "last moved a node by {:.3g} L; try a smaller dns.dt or dns.first_dt, or more "
+                    "flag.damping",
+                    state.fluid.t, newton.iterations, newton_.last_change()));
+  a_ = equation_.mass_factor * (x_ - equation_.inertial);
+  summary.flag_iterations += newton.iterations;
+  summary.flag_seconds += watch.seconds();
+}
+
+template <int dim>
+CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
+  const BackwardDifference D(dt, state.fluid.previous_dt);
+  CoupledStepSummary summary;
+  const NodeVectors<dim> velocity = velocity_ahead(state, D);
+  move_wall(velocity);  // along x, where the grid does not follow
+  fluid_.begin_step(state.fluid, wall_ahead(state, velocity, D), dt);
+  NodeVectors<dim> fixed = fixed_forces();
+  added_mass_.set_areas(areas());
+  equation_.pose(state.flag, D, dt);
+  // An error of the positions is one of the jump, mass_factor (mu + added mass) times as large.
+  constexpr double rounding = 1e-14;
+  newton_.set_tolerance(std::max(0.2 * settings_.tolerance / equation_.mass_factor, rounding));
+  double pressure_tolerance = std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
+  SegmentValues g = guessed_jump(state, D), found;
+  // The positions that the extrapolated velocity leads to.
+  x_ = (velocity - equation_.velocity_rest) / D.next - state.flag.x;
+  flag_.clear_held(x_);
+  x_ += state.flag.x;
+  acceleration_.restart();
+  newton_.begin_step();
+  for (summary.passes = 1;; ++summary.passes) {
+    solve_flag(state, fixed, g, summary);
+    move_wall(v_);
+    // It bounds the error's mean over the fluid; that at an edge of the flag can be much larger,
+    // and the jump then stays as it is.
+    if (fluid_.solve_pressure(state.fluid, pressure_tolerance) == 0) pressure_tolerance *= 0.1;
+    SegmentValues change;
+    added_mass_.find_jump(a_, change);
+    found = jump(state.fluid);
+    change += found - g;
+    summary.residual = root_mean_square(change) / std::max(1.0, root_mean_square(g));
+    if (summary.residual <= settings_.tolerance) break;
+    if (summary.passes == settings_.most_passes || !std::isfinite(summary.residual))
+      throw SolverError(fmt::format(
+          "at t = {:.6g}: the flag and the fluid did not agree in {} passes: the pressure jump "
+          "changes by {:.3g}, dns.coupling.tolerance is {:.3g}; try a smaller dns.dt or, at the "
+          "start, dns.first_dt",
+          state.fluid.t, summary.passes, summary.residual, settings_.tolerance));
+    // Weighted, so that its norm is the root mean square over the flag.
+    g = g.cwiseProduct(weights_).eval();
+    change = change.cwiseProduct(weights_).eval();
+    acceleration_.advance(Eigen::Map<Eigen::VectorXd>(g.data(), g.size()),
+                          Eigen::Map<Eigen::VectorXd>(change.data(), change.size()));
+    g = g.cwiseQuotient(weights_).eval();
+  }
+  added_mass_.add_force(found, fixed);
+  accept(state, fixed, g);
+  summary.fluid = fluid_.finish_step(state.fluid);
+  return summary;
+}
+
+// The step as the last pass left it; `force`: of the fluid and outer_force_ on the nodes.
+template <int dim>
+void Coupling<dim>::accept(CoupledState<dim>& state, const NodeVectors<dim>& force,
+                           const SegmentValues& g) {
+  FlagState<dim>& flag = state.flag;
+  const double power = force.cwiseProduct(v_).sum();
+  flag.work += equation_.dt * (state.power + power) / 2;
+  flag.dissipated += flag_.stretch().dissipated(flag.x, x_, equation_.dt);
+  state.power = power;
+  flag.previous_x = std::exchange(flag.x, x_);
+  flag.previous_v = std::exchange(flag.v, v_);
+  flag.previous_dt = equation_.dt;
+  flag.t += equation_.dt;
+  state.previous_jump = std::exchange(state.jump, g);
+}
+
+template <int dim>
+CoupledStepSummary Coupling<dim>::advance_held(CoupledState<dim>& state, double dt) {
+  CoupledStepSummary summary;
+  summary.fluid = fluid_.advance(
+      state.fluid, [&](double, WallShape& wall) { wall = wall_of(state.flag.x); }, dt);
+  state.flag.previous_x = state.flag.x;
+  state.flag.previous_v = state.flag.v;
+  state.flag.previous_dt = dt;
+  state.flag.t += dt;
+  state.previous_jump = std::exchange(state.jump, jump(state.fluid));
+  return summary;
+}
+
+template class Coupling<2>;
+template class Coupling<3>;
+template NodeVectors<2> stretched_by_friction(const FlagMesh&, const NodeVectors<2>&, double,
+                                              double);
+template NodeVectors<3> stretched_by_friction(const FlagMesh&, const NodeVectors<3>&, double,
+                                              double);
+
+}  // namespace pennon::dns

@@ -1,0 +1,89 @@
+/// Newton's method, with the exact tangent, for the end of an implicit step of a flag:
+///
+///   mass_factor (M + M_a) (x - inertial) = F(start, x),   v = velocity_factor x + velocity_rest,
+///
+/// M_a the added mass of a fluid, where the step has one.
+#pragma once
+
+#include <memory>
+
+#include "dns/coupling/added_mass.hpp"
+#include "dns/flag/flag.hpp"
+#include "dns/numerics/backward_difference.hpp"
+
+namespace pennon::dns {
+
+struct NewtonSettings {
+  double tolerance = 1e-10;  ///< of the last change of any position, in L
+  int most_iterations = 25;
+  int most_halvings = 12;  ///< of a step that does not converge
+  /// The tangent is factored anew when an iteration shrinks the change by less than this. 0:
+  /// always.
+  double contraction = 0;
+};
+
+/// A tangent serves until an iteration shrinks the error by less than this; along the chord alone
+/// factoring costs no more than a solution, and every iteration has its own.
+template <int dim>
+inline constexpr double usual_contraction = dim == 2 ? 0.0 : 0.1;
+
+struct StepSummary {
+  int iterations = 0;  ///< of Newton's method, all parts of the step together
+  int factorisations = 0;
+  int parts = 1;  ///< the step was halved until this many did it
+};
+
+/// All that is advanced, saved and restarted.
+template <int dim>
+struct FlagState {
+  double t = 0;
+  NodeVectors<dim> x, v;
+  /// The step before, for backward differences; previous_dt = 0: none yet.
+  NodeVectors<dim> previous_x, previous_v;
+  double previous_dt = 0;
+  double dissipated = 0;  ///< by the damping since the start
+  double work = 0;        ///< of the loads (gravity is an energy of its own) since the start
+};
+
+template <int dim>
+struct FlagEquation {
+  NodeVectors<dim> guess, inertial, velocity_rest;
+  double mass_factor = 0;
+  double velocity_factor = 0;
+  FlagLoads<dim> loads;
+  Pairing pairing = Pairing::end;
+  double dt = 0;
+  AddedMass<dim>* added_mass = nullptr;  ///< none: the flag by itself
+
+  /// All but the guess and the loads: v and dv/dt at the end of the step by backward differences.
+  void pose(const FlagState<dim>&, const BackwardDifference&, double dt);
+};
+
+template <int dim>
+class FlagNewton {
+ public:
+  FlagNewton(const Flag<dim>&, const NewtonSettings&);
+
+  /// From x to the end position; v becomes its velocity. False where it does not converge.
+  bool solve(const NodeVectors<dim>& start, const FlagEquation<dim>&, NodeVectors<dim>& x,
+             NodeVectors<dim>& v, StepSummary&);
+
+  void set_tolerance(double tolerance) { settings_.tolerance = tolerance; }
+  double last_change() const { return last_change_; }  ///< of an iteration that failed
+  /// A new step: the next solution has a tangent of its own. Its factors may be of an earlier one
+  /// where there is an added mass, whose solver makes up for it.
+  void begin_step() { must_fill_ = true; }
+  /// Has the next solution factor its own tangent, so that what follows depends on the state alone.
+  void forget_tangent() { factored_mass_ = 0; }
+
+ private:
+  const Flag<dim>& flag_;
+  NewtonSettings settings_;
+  std::unique_ptr<TangentMatrix<dim>> tangent_;
+  NodeVectors<dim> change_, inertia_;
+  bool must_fill_ = true;
+  double factored_mass_ = 0;  // the mass factor of the factored tangent; 0: none
+  double last_change_ = 0;
+};
+
+}  // namespace pennon::dns

@@ -1,0 +1,183 @@
+#include "dns/fluid/forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/parallel/ranks.hpp"
+#include "dns/fluid/equations/ghosts.hpp"
+
+namespace pennon::dns {
+namespace {
+
+bool has(const Fluid& fluid, std::size_t axis) {
+  return static_cast<int>(component_of[axis]) < fluid.components();
+}
+
+// A component with its ghosts, and its derivative by x where there is a span.
+struct Extended {
+  Field<double> f, f_xi;
+
+  Extended(const Fluid& fluid, const FluidState& state, std::size_t axis)
+      : f(state.u[component_of[axis]]) {
+    fluid.extend_velocity(state, static_cast<int>(component_of[axis]), f, true);
+    if (!fluid.span().has_span()) return;
+    f_xi = Field<double>(f.extent());
+    fluid.span().differentiate(f, f_xi);
+  }
+  const Field<double>* slope() const { return f_xi.empty() ? nullptr : &f_xi; }
+};
+
+// The two cells next to the wall of a component, its ghosts behind the wall, and their derivative
+// by x where there is a span.
+struct WallLayer {
+  Field<double> f, f_xi;
+
+  WallLayer(const Fluid& fluid, const std::vector<Field<double>>& u, std::size_t axis)
+      : f(Extent{fluid.extent().planes, 2, fluid.extent().n_theta}) {
+    const std::size_t component = component_of[axis];
+    for (int plane = 0; plane < f.extent().planes; ++plane) {
+      for (int j = 0; j < 2; ++j)
+        std::copy_n(u[component].row(plane, j), f.extent().n_theta, f.row(plane, j));
+      extend_to_wall(
+          plane, fluid.wall_velocity()[component].data() + fluid.extent().wall_face(plane, 0), f);
+      f.wrap_theta(plane, -2, 2);
+    }
+    if (!fluid.span().has_span()) return;
+    f_xi = Field<double>(f.extent());
+    fluid.span().differentiate(f, f_xi);
+  }
+};
+
+}  // namespace
+
+std::vector<double> wall_pressure(const Field<double>& p) {
+  const Extent& extent = p.extent();
+  std::vector<double> pressure(extent.wall_faces());
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int i = 0; i < extent.n_theta; ++i)
+      pressure[extent.wall_face(plane, i)] =
+          wall_value(p.row(plane, 0)[i], p.row(plane, 1)[i], p.row(plane, 2)[i]);
+  return pressure;
+}
+
+WallTraction wall_friction(const Fluid& fluid, const std::vector<Field<double>>& u) {
+  const Extent& extent = fluid.extent();
+  const FaceMetrics<double>& faces = fluid.metrics().rho_faces;
+  const double nu = 1 / fluid.parameters().Re;
+  WallTraction traction;
+  traction.pressure.assign(extent.wall_faces(), 0);
+  traction.friction.assign(extent.wall_faces(), 0);
+  for (std::vector<double>& force : traction.force) force.assign(extent.wall_faces(), 0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!has(fluid, axis)) continue;
+    const WallLayer layer(fluid, u, axis);
+    for (int plane = 0; plane < extent.planes; ++plane) {
+      const double *inside = layer.f.row(plane, 0), *ghost = layer.f.row(plane, -1);
+      for (int i = 0; i < extent.n_theta; ++i) {
+        double flux = faces.along.row(plane, 0)[i] * (inside[i] - ghost[i]) +
+                      faces.across.row(plane, 0)[i] * 0.25 *
+                          (inside[i + 1] - inside[i - 1] + ghost[i + 1] - ghost[i - 1]);
+        if (!layer.f_xi.empty())
+          flux += faces.area_x.row(plane, 0)[i] * 0.5 *
+                  (layer.f_xi.row(plane, 0)[i] + layer.f_xi.row(plane, -1)[i]);
+        const std::size_t face = extent.wall_face(plane, i);
+        traction.force[axis][face] += nu * flux;
+        const double A_y = faces.area_y.row(plane, 0)[i], A_z = faces.area_z.row(plane, 0)[i];
+        // The tangent of growing theta is (-A_z, A_y)/|A|.
+        if (axis == 1) traction.friction[face] -= nu * flux * A_z / (A_y * A_y + A_z * A_z);
+        if (axis == 2) traction.friction[face] += nu * flux * A_y / (A_y * A_y + A_z * A_z);
+      }
+    }
+  }
+  return traction;
+}
+
+WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
+  const Extent& extent = fluid.extent();
+  const FaceMetrics<double>& faces = fluid.metrics().rho_faces;
+  WallTraction traction = wall_friction(fluid, state.u);
+  traction.pressure = wall_pressure(state.p);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Field<double>& area =
+        axis == 0 ? faces.area_x : (axis == 1 ? faces.area_y : faces.area_z);
+    if (area.empty()) continue;
+    for (int plane = 0; plane < extent.planes; ++plane)
+      for (int i = 0; i < extent.n_theta; ++i) {
+        const std::size_t face = extent.wall_face(plane, i);
+        traction.force[axis][face] -= traction.pressure[face] * area.row(plane, 0)[i];
+      }
+  }
+  return traction;
+}
+
+Vector3 station_force(const Fluid& fluid, const WallTraction& traction, int plane) {
+  const auto n_theta = static_cast<std::size_t>(fluid.extent().n_theta);
+  Vector3 sum{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t i = 0; i < n_theta; ++i)
+      sum[axis] += traction.force[axis][static_cast<std::size_t>(plane) * n_theta + i];
+  return sum;
+}
+
+Vector3 total_force(const Fluid& fluid, const WallTraction& traction) {
+  Vector3 mean{};
+  for (int plane = 0; plane < fluid.extent().planes; ++plane) {
+    const Vector3 force = station_force(fluid, traction, plane);
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += force[axis] / fluid.span().planes();
+  }
+  ranks::sum(mean);
+  return mean;
+}
+
+FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
+                         const WallTraction& traction) {
+  const Extent& extent = fluid.extent();
+  const Metrics<double>& metrics = fluid.metrics();
+  const bool has_span = fluid.span().has_span();
+  const double share = 1.0 / fluid.span().planes(), nu = 1 / fluid.parameters().Re;
+  const Vector3 stream = {fluid.stream(2), fluid.stream(0), 0};
+  const std::array<const Field<double>*, 3> outer_areas = {nullptr, &metrics.rho_faces.area_y,
+                                                           &metrics.rho_faces.area_z};
+  FluidBudget budget;
+  Field<double> u_x(has_span ? extent : Extent{0, 0, 0}), u_y(extent), u_z(extent);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!has(fluid, axis)) continue;
+    const Extended u(fluid, state, axis);
+    for (int plane = 0; plane < extent.planes; ++plane) {
+      gradient(metrics, plane, u.f, u.slope(), {has_span ? &u_x : nullptr, &u_y, &u_z});
+      for (int j = 0; j < extent.n_rho; ++j)
+        for (int i = 0; i < extent.n_theta; ++i) {
+          const double volume = share * metrics.volume.row(plane, j)[i];
+          const double disturbance = u.f.row(plane, j)[i] - stream[axis];
+          budget.kinetic_energy += volume * disturbance * disturbance / 2;
+          budget.momentum[axis] += volume * disturbance;
+          const double x = has_span ? u_x.row(plane, j)[i] : 0.0, y = u_y.row(plane, j)[i],
+                       z = u_z.row(plane, j)[i];
+          budget.dissipation += nu * volume * (x * x + y * y + z * z);
+        }
+      const int n = extent.n_rho;
+      for (int i = 0; i < extent.n_theta; ++i) {
+        const std::size_t face = extent.wall_face(plane, i);
+        // Convection and pressure, in the disturbance as the last cells hold it.
+        const double flux = share * fluid.flux_across_rho().row(plane, n)[i];
+        const double outside =
+            1.5 * u.f.row(plane, n - 1)[i] - 0.5 * u.f.row(plane, n - 2)[i] - stream[axis];
+        const double push = outer_areas[axis] ? share * fluid.outer_pressure()[face] *
+                                                    outer_areas[axis]->row(plane, n)[i]
+                                              : 0.0;
+        budget.outer_power -= flux * outside * outside / 2 + push * outside;
+        budget.outer_force[axis] -= flux * outside + push;
+        budget.wall_power -= share * traction.force[axis][face] *
+                             (fluid.wall_velocity()[component_of[axis]][face] - stream[axis]);
+      }
+    }
+  }
+  for (double* value :
+       {&budget.kinetic_energy, &budget.dissipation, &budget.wall_power, &budget.outer_power})
+    *value = ranks::sum(*value);
+  ranks::sum(budget.momentum);
+  ranks::sum(budget.outer_force);
+  return budget;
+}
+
+}  // namespace pennon::dns

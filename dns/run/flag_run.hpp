@@ -1,0 +1,43 @@
+/// A flag by itself, run as a case asks: to its equilibrium, or through time with history, shapes
+/// and checkpoints.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "common/case/parameters.hpp"
+#include "common/io/output_folder.hpp"
+#include "dns/flag/shape_function.hpp"
+#include "dns/run/flag_history.hpp"
+#include "dns/run/settings.hpp"
+
+namespace pennon::dns {
+
+struct RunResult {
+  std::string status;  ///< "done"
+  double t_end = 0;
+  std::int64_t steps = 0;
+  std::int64_t halved_steps = 0;
+  std::int64_t nodes = 0;
+  double iterations_mean = 0;
+  int iterations_max = 0;
+  double wall_seconds = 0;
+  HistoryRow last{};       ///< of the history
+  std::string checkpoint;  ///< empty for an equilibrium
+};
+
+/// Starts from z = zeta(x, y), or straight without it. Computes and writes history.h5, history.csv,
+/// shapes.h5, shapes.xdmf and checkpoint.h5 to the folder. With `restart`, goes on from that
+/// checkpoint to the case's t_end; the result is bit-identical to an uninterrupted run that wrote a
+/// checkpoint at the same time. Settings as check() accepts them. Throws SolverError (the last
+/// checkpoint's name in it), InputError (a checkpoint of another flag), FileError, Interrupted.
+RunResult run(const Settings&, const FlagParameters&, const std::optional<ShapeFunction>&,
+              const std::optional<std::filesystem::path>& restart, const OutputFolder&,
+              bool shows_progress);
+
+/// The value of "dns" in summary.json.
+nlohmann::ordered_json to_json(const RunResult&);
+
+}  // namespace pennon::dns

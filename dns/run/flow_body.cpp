@@ -1,0 +1,187 @@
+#include "dns/run/flow_body.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "common/errors.hpp"
+#include "common/parallel/ranks.hpp"
+#include "dns/coupling/mode_start.hpp"
+#include "dns/run/flow_mode_file.hpp"
+#include "dns/run/initial_shape.hpp"
+
+namespace pennon::dns {
+namespace {
+
+class PrescribedBody : public FlowBody {
+ public:
+  PrescribedBody(Fluid& fluid, WallMotion motion) : fluid_(fluid), motion_(std::move(motion)) {}
+
+  FluidState& fluid() override { return state_; }
+  const FluidState& fluid() const override { return state_; }
+  void start(double) override { state_ = fluid_.impulsive_start(motion_, 0); }
+  CoupledStepSummary advance(double dt) override {
+    CoupledStepSummary summary;
+    summary.fluid = fluid_.advance(state_, motion_, dt);
+    return summary;
+  }
+
+ private:
+  Fluid& fluid_;
+  WallMotion motion_;
+  FluidState state_;
+};
+
+template <int dim>
+class CoupledBody : public FlowBody {
+ public:
+  CoupledBody(Fluid& fluid, const Settings& settings, const FlagParameters& parameters,
+              const std::optional<ShapeFunction>& zeta)
+      : fluid_(fluid),
+        parameters_(parameters),
+        initial_(settings.initial),
+        flag_(mesh_of(settings, parameters, coupled_chord(fluid.grid())), material_of(parameters)),
+        gravity_(Eigen::Map<const Eigen::Vector3d>(parameters.gravity.data()).template tail<dim>()),
+        shape_(stretched_by_friction<dim>(flag_.mesh(),
+                                          initial_shape<dim>(initial_, zeta, flag_.mesh()),
+                                          parameters.K_S, fluid.parameters().Re)),
+        coupling_(fluid, flag_, gravity_, settings.coupling) {}
+
+  FluidState& fluid() override { return state_.fluid; }
+  const FluidState& fluid() const override { return state_.fluid; }
+  void start(double dt) override {
+    if (initial_.global_modes.empty()) {
+      state_ = coupling_.start(shape_, 0);
+    } else {
+      const FlowMode mode = read_flow_mode(
+          initial_.global_modes, static_cast<int>(initial_.global_mode), fluid_, parameters_);
+      state_ = start_in_mode(coupling_, fluid_, flag_, mode, initial_.mode_amplitude, dt);
+    }
+    energy_at_start_ = energies().total();
+  }
+
+  CoupledStepSummary advance(double dt) override {
+    constexpr double slack = 1e-9;  // of a step
+    if (state_.fluid.t + (1 - slack) * dt < initial_.release)
+      return coupling_.advance_held(state_, dt);
+    kick(state_.fluid.t + dt);
+    return coupling_.advance(state_, dt);
+  }
+
+  void complete_row(const CoupledStepSummary& summary, FluidHistory& history) const override {
+    const FlagEnergies e = energies();
+    const double share = dim == 2 ? 1.0 : 1 / flag_.mesh().span();
+    const auto [least, greatest] = flag_.stretch().strain_range(state_.flag.x);
+    const FlagMesh& mesh = flag_.mesh();
+    const double defect = e.total() - energy_at_start_ + state_.flag.dissipated - state_.flag.work;
+    history.flag.push_back(
+        {share * e.kinetic, share * e.bending, share * e.stretch_2d, share * e.stretch_3d,
+         share * e.gravity, share * state_.flag.dissipated, share * state_.flag.work,
+         share * defect, static_cast<double>(summary.passes), summary.residual, least, greatest});
+    for (int m = 0; m < mesh.stations(); ++m) {
+      const auto end = state_.flag.x.col(mesh.index(m, mesh.chord_nodes() - 1));
+      history.trailing_edge.insert(history.trailing_edge.end(),
+                                   {dim == 3 ? end[0] : 0.0, end[dim - 2], end[dim - 1]});
+    }
+    constexpr std::size_t z_column = 2;
+    history.rows.back()[z_column] = state_.flag.x(dim - 1, mesh.chord_nodes() - 1);
+  }
+
+  void add_shape(FluidHistory& history) const override {
+    dns::add_shape(flag_, state_.flag.t, state_.flag.x, state_.flag.v, history.shapes);
+  }
+
+  void write(hdf5::Writer& file) const override {
+    file.write("/flag", {1, 5},
+               std::vector<double>{state_.flag.previous_dt, state_.flag.dissipated,
+                                   state_.flag.work, state_.power, energy_at_start_},
+               {{"meaning", "previous_dt, dissipated, work, power, energy at the start"}});
+    for_each_array(
+        [&](const char* name, const auto& values) {
+          if (values.size() > 0)
+            file.write(name,
+                       {static_cast<hsize_t>(values.cols()), static_cast<hsize_t>(values.rows())},
+                       {values.data(), static_cast<std::size_t>(values.size())});
+        },
+        *this);
+  }
+
+  void read(const hdf5::Reader& file) override {
+    const std::vector<double> numbers = file.read("/flag").values;
+    state_.flag.t = state_.fluid.t;
+    state_.flag.previous_dt = numbers[0];
+    state_.flag.dissipated = numbers[1];
+    state_.flag.work = numbers[2];
+    state_.power = numbers[3];
+    energy_at_start_ = numbers[4];
+    for_each_array(
+        [&](const char* name, auto& values) {
+          if (!file.contains(name)) return;
+          const hdf5::Array array = file.read(name);
+          values.resize(static_cast<Eigen::Index>(array.shape[1]),
+                        static_cast<Eigen::Index>(array.shape[0]));
+          std::copy(array.values.begin(), array.values.end(), values.data());
+        },
+        *this);
+  }
+
+  void forget() override { coupling_.forget_tangent(); }
+
+ private:
+  template <class Function, class Self>
+  static void for_each_array(const Function& function, Self& self) {
+    function("/flag_x", self.state_.flag.x);
+    function("/flag_v", self.state_.flag.v);
+    function("/flag_previous_x", self.state_.flag.previous_x);
+    function("/flag_previous_v", self.state_.flag.previous_v);
+    function("/flag_jump", self.state_.jump);
+    function("/flag_previous_jump", self.state_.previous_jump);
+  }
+
+  FlagEnergies energies() const {
+    FlagLoads<dim> loads;
+    loads.gravity = gravity_;
+    return flag_.energies(state_.flag.x, state_.flag.v, loads);
+  }
+
+  // A force along z for a while after the release: the momentum per area initial_.kick at the
+  // trailing edge, less toward the leading edge.
+  void kick(double t) {
+    const double since = t - initial_.release, duration = initial_.kick_duration;
+    if (initial_.kick == 0 || since < 0 || since >= duration) {
+      coupling_.set_outer_force({});
+      return;
+    }
+    const double pulse = 2 / duration * std::pow(std::sin(std::numbers::pi * since / duration), 2);
+    const FlagMesh& mesh = flag_.mesh();
+    NodeVectors<dim> force = NodeVectors<dim>::Zero(dim, mesh.nodes());
+    for (int m = 0; m < mesh.stations(); ++m)
+      for (int j = 0; j < mesh.chord_nodes(); ++j)
+        force(dim - 1, mesh.index(m, j)) = initial_.kick * pulse * mesh.y(j) * mesh.area(m, j);
+    coupling_.set_outer_force(std::move(force));
+  }
+
+  const Fluid& fluid_;
+  FlagParameters parameters_;
+  InitialSettings initial_;
+  Flag<dim> flag_;
+  Eigen::Matrix<double, dim, 1> gravity_;
+  NodeVectors<dim> shape_;
+  Coupling<dim> coupling_;
+  CoupledState<dim> state_;
+  double energy_at_start_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FlowBody> prescribed_body(Fluid& fluid, WallMotion motion) {
+  return std::make_unique<PrescribedBody>(fluid, std::move(motion));
+}
+
+std::unique_ptr<FlowBody> coupled_body(Fluid& fluid, const Settings& settings,
+                                       const FlagParameters& parameters,
+                                       const std::optional<ShapeFunction>& zeta) {
+  if (parameters.gamma) return std::make_unique<CoupledBody<3>>(fluid, settings, parameters, zeta);
+  return std::make_unique<CoupledBody<2>>(fluid, settings, parameters, zeta);
+}
+
+}  // namespace pennon::dns

@@ -1,0 +1,47 @@
+/// What the flow runs about: a flag that moves as prescribed, or one that the flow moves. FluidRun
+/// advances it, keeps its history and saves it.
+#pragma once
+
+#include <memory>
+
+#include "common/io/hdf5.hpp"
+#include "dns/coupling/coupling.hpp"
+#include "dns/flag/shape_function.hpp"
+#include "dns/run/fluid_history.hpp"
+
+namespace pennon::dns {
+
+class FlowBody {
+ public:
+  FlowBody() = default;
+  virtual ~FlowBody() = default;
+  FlowBody(const FlowBody&) = delete;
+  FlowBody& operator=(const FlowBody&) = delete;
+
+  virtual FluidState& fluid() = 0;
+  virtual const FluidState& fluid() const = 0;
+  /// The state at t = 0, from where the first step is dt.
+  virtual void start(double dt) = 0;
+  virtual CoupledStepSummary advance(double dt) = 0;
+
+  /// Adds to a row of the history that add_row() has begun. Leading rank or not.
+  virtual void complete_row(const CoupledStepSummary&, FluidHistory&) const {}
+  virtual void add_shape(FluidHistory&) const {}
+  /// What a checkpoint holds beside the fluid's state.
+  virtual void write(hdf5::Writer&) const {}
+  virtual void read(const hdf5::Reader&) {}
+  /// Has the next step depend on the state alone: after a checkpoint.
+  virtual void forget() {}
+};
+
+/// A flag that moves as prescribed.
+std::unique_ptr<FlowBody> prescribed_body(Fluid&, WallMotion);
+
+/// A flag that the flow moves: in two dimensions, or with the fluid's span. `zeta`: z of its
+/// initial displacement; without it straight, by dns.initial.angle, or as a global mode. Throws
+/// InputError where the shape is steeper than the flag is long; start() where the file of the mode
+/// does not serve.
+std::unique_ptr<FlowBody> coupled_body(Fluid&, const Settings&, const FlagParameters&,
+                                       const std::optional<ShapeFunction>& zeta);
+
+}  // namespace pennon::dns

@@ -1,0 +1,166 @@
+#include "dns/run/flow_mode_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "common/errors.hpp"
+#include "common/io/hdf5.hpp"
+
+namespace pennon::dns {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr const char* velocity_names[] = {"v", "w", "u"};
+
+class ModeReader {
+ public:
+  ModeReader(const std::filesystem::path& path, int rank, const Fluid& fluid,
+             const FlagParameters& flag)
+      : path_(path),
+        file_(path),
+        group_(fmt::format("/mode_{}", rank)),
+        fluid_(fluid),
+        plane_{1, fluid.extent().n_rho, fluid.extent().n_theta} {
+    if (file_.text("/", "kind") != "global_modes")
+      fail("is no file of global modes, as pennon modes writes with [modes.global]");
+    if (!file_.contains(group_ + "/zeta_real"))
+      fail(fmt::format("holds {} modes; dns.initial.global_mode = {} is not among them",
+                       file_.shape("/growth").at(0), rank));
+    expect_grid();
+    expect("flow.Re", "Re", fluid.parameters().Re);
+    expect("flow.U", "U", fluid.parameters().U);
+    expect("flag.mu", "mu", flag.mu);
+    expect("flag.K_B", "K_B", flag.K_B);
+    expect("flag.K_S", "K_S", flag.K_S);
+    expect("flag.nu_s", "nu_s", flag.nu_s);
+    expect_wave();
+  }
+
+  FlowMode mode(int rank) const {
+    FlowMode mode(plane_, fluid_.components());
+    const auto index = static_cast<std::size_t>(rank - 1);
+    mode.lambda = {file_.read("/growth").values.at(index), file_.read("/omega").values.at(index)};
+    mode.k_x = k_x();
+    for (std::size_t c = 0; c < mode.u.size(); ++c) {
+      const std::string name = velocity_names[c];
+      if (!file_.contains("/base/" + name)) continue;  // no cross-flow, no wave: it is 0
+      mode.steady_u[c] = field("/base/" + name);
+      mode.u[c] = complex_field(name);
+    }
+    mode.steady_p = field("/base/p");
+    mode.p = complex_field("p");
+    for (const double value : file_.read("/base/is_inflow").values)
+      mode.is_inflow.push_back(value != 0);
+    const std::vector<double> nodes = file_.read("/flag").values;
+    for (std::size_t j = 0; j < nodes.size(); j += 2) mode.flag.push_back({nodes[j], nodes[j + 1]});
+    const std::vector<double> real = file_.read(group_ + "/zeta_real").values,
+                              imaginary = file_.read(group_ + "/zeta_imag").values;
+    for (std::size_t j = 0; j < real.size(); ++j) {
+      mode.zeta.emplace_back(real[j], imaginary[j]);
+      mode.zeta_t.push_back(mode.lambda * mode.zeta.back());
+    }
+    return mode;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError("dns.initial.global_modes", fmt::format("{} {}", path_.string(), what));
+  }
+
+  double k_x() const { return file_.number("/", "k_x", 0); }
+
+  void expect(const char* key, const char* attribute, double here) const {
+    const double there = file_.number("/", attribute, NAN);
+    constexpr double rounding = 1e-12;
+    if (!(std::abs(there - here) <= rounding * std::abs(here)))
+      fail(fmt::format("was made with {} = {:.6g}; here it is {:.6g}", key, there, here));
+  }
+
+  void expect_grid() const {
+    const hdf5::Array points = file_.read("/points");
+    const auto rows = static_cast<hsize_t>(plane_.n_rho), columns = points.shape.at(1) - 1;
+    if (points.shape[0] - 1 != rows || columns != static_cast<hsize_t>(plane_.n_theta))
+      fail(fmt::format("was made on {} x {} cells; here they are {} x {} (dns.n_rho, dns.n_theta)",
+                       points.shape[0] - 1, columns, rows, plane_.n_theta));
+    const OGrid& grid = fluid_.grid();
+    double largest = 0;
+    for (int j = 0; j <= plane_.n_rho; ++j)
+      for (int i = 0; i < plane_.n_theta; ++i) {
+        const std::size_t k =
+            2 * (static_cast<std::size_t>(j) * points.shape[1] + static_cast<std::size_t>(i));
+        const Complex there(points.values[k], points.values[k + 1]);
+        largest = std::max(largest, std::abs(there - OGrid::place(grid.rho(j), grid.theta(i))));
+      }
+    constexpr double rounding = 1e-9;
+    if (!(largest < rounding))
+      fail(
+          "was made on another grid: dns.R, dns.wall_spacing or dns.wake_clustering are not those "
+          "here");
+  }
+
+  // A whole number of waves along the span.
+  void expect_wave() const {
+    const Span& span = fluid_.span();
+    const bool has_u = file_.contains("/base/u");
+    if (!span.has_span()) {
+      if (k_x() != 0)
+        fail(fmt::format("has waves along the span (k_x = {:.6g}); here there are two dimensions",
+                         k_x()));
+    } else {
+      const double waves = k_x() * span.length() / (2 * std::numbers::pi);
+      constexpr double slack = 1e-9;
+      if (std::abs(waves - std::round(waves)) > slack)
+        fail(
+            fmt::format("has {:.6g} waves (k_x = {:.6g}) in a span of flag.gamma = {:.6g}; a whole "
+                        "number fits",
+                        waves, k_x(), span.length()));
+      const double nodes = file_.number("/", "n_x", NAN);
+      if (k_x() != 0 && !(std::abs(nodes * std::abs(waves) - span.planes()) < slack * nodes))
+        fail(
+            fmt::format("was made with {:.6g} spanwise nodes in a wave; here dns.n_x = {} gives it "
+                        "{:.6g}, which modes.global.n_x should be",
+                        nodes, span.planes(), span.planes() / std::abs(waves)));
+    }
+    if (fluid_.parameters().U != 0 && !has_u)
+      fail("has no velocity along x, which flow.U needs; modes with a wave along the span have it");
+  }
+
+  Field<double> field(const std::string& name) const {
+    Field<double> f(plane_);
+    fill(name, [&](int j, int i, double value) { f.row(0, j)[i] = value; });
+    return f;
+  }
+  Field<Complex> complex_field(const std::string& name) const {
+    Field<Complex> f(plane_);
+    fill(group_ + "/" + name + "_real",
+         [&](int j, int i, double value) { f.row(0, j)[i].real(value); });
+    fill(group_ + "/" + name + "_imag",
+         [&](int j, int i, double value) { f.row(0, j)[i].imag(value); });
+    return f;
+  }
+  template <class Set>
+  void fill(const std::string& name, const Set& set) const {
+    const std::vector<double> values = file_.read(name).values;
+    std::size_t k = 0;
+    for (int j = 0; j < plane_.n_rho; ++j)
+      for (int i = 0; i < plane_.n_theta; ++i) set(j, i, values.at(k++));
+  }
+
+  std::filesystem::path path_;
+  hdf5::Reader file_;
+  std::string group_;
+  const Fluid& fluid_;
+  Extent plane_;
+};
+
+}  // namespace
+
+FlowMode read_flow_mode(const std::filesystem::path& file, int rank, const Fluid& fluid,
+                        const FlagParameters& flag) {
+  return ModeReader(file, rank, fluid, flag).mode(rank);
+}
+
+}  // namespace pennon::dns

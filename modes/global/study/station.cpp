@@ -1,0 +1,75 @@
+#include "modes/global/study/station.hpp"
+
+#include "dns/fluid/equations/wall_faces.hpp"
+
+namespace pennon::modes::global {
+
+Station::Station(BaseFlow its_base, FlagOperator its_flag, std::shared_ptr<const LinearFluid> fluid,
+                 std::shared_ptr<SparseFactors> factors)
+    : base(std::move(its_base)),
+      flag(its_flag),
+      coupled(fluid, std::move(its_flag)),
+      F(std::move(fluid), std::move(factors)) {}
+
+Aerodynamics Station::aerodynamics() {
+  return [this](std::complex<double> lambda) {
+    return Response{F.at(lambda),
+                    [this](const Eigen::VectorXcd& zeta) { return F.derivative(zeta); }};
+  };
+}
+
+CoupledOperator Station::with_mass_ratio(double mu) const {
+  CoupledOperator scaled = coupled;
+  scaled.flag.mass *= mu;
+  return scaled;
+}
+
+Stations::Stations(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
+                   CurveParameter parameter, std::shared_ptr<SparseFactors> factors)
+    : parameter_(parameter),
+      grid_(grid_of(settings)),
+      chord_(dns::coupled_chord(grid_)),
+      edge_(flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned),
+      material_{1, flag.K_B, flag.K_S, flag.nu_s, flag.damping},
+      flow_(plane_parameters(flow, settings)),
+      k_x_(*settings.k_x),
+      spanwise_nodes_(static_cast<int>(settings.n_x)),
+      factors_(std::move(factors)) {}
+
+void Stations::move_to(double value) {
+  switch (parameter_) {
+    case CurveParameter::Re:
+      flow_.Re = value;
+      break;
+    case CurveParameter::k_x:
+      k_x_ = value;
+      break;
+    case CurveParameter::K_B:
+      material_.K_B = value;
+      break;
+    case CurveParameter::nu_s:
+      material_.nu_s = value;
+      break;
+  }
+  if (fluid_varies()) fluid_ = nullptr;
+  const int components = k_x_ != 0 ? 3 : 2;
+  if (!base_)
+    base_ = base_flow(grid_, flow_, components);
+  else if (base_->parameters.Re != flow_.Re || base_->q.components() != components)
+    base_ = base_flow(grid_, flow_, components, *base_);
+}
+
+FlagOperator Stations::flag_at(double value) {
+  move_to(value);
+  return flag_operator(chord_, edge_, material_, base_->forces, k_x_, spanwise_nodes_);
+}
+
+Station Stations::at(double value) {
+  FlagOperator flag = flag_at(value);
+  if (!fluid_)
+    fluid_ = std::make_shared<LinearFluid>(
+        linear_fluid(grid_, *base_, static_cast<int>(flag.mass.size()), k_x_));
+  return {*base_, std::move(flag), fluid_, factors_};
+}
+
+}  // namespace pennon::modes::global

@@ -1,0 +1,61 @@
+/// The global modes that a case asks for: steady flow, operator, spectrum. The eigensolver is
+/// handed in, so that this stays free of it.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "modes/global/equations/coupled_operator.hpp"
+#include "modes/global/solve/sensitivity.hpp"
+#include "modes/global/solve/spectrum.hpp"
+#include "modes/global/study/mode_fields.hpp"
+#include "modes/global/study/settings.hpp"
+
+namespace pennon::modes::global {
+
+/// A few eigenpairs of A q = lambda B q next to a target, normalised.
+using EigenSolver = std::function<Spectrum(const CoupledOperator&, std::complex<double> target,
+                                           int n_modes, bool with_adjoints)>;
+
+struct GlobalMode {
+  std::complex<double> lambda;             ///< growth rate and angular frequency, in V/L
+  double residual;                         ///< |A q - lambda B q| over |A q| + |lambda| |B q|
+  std::vector<std::complex<double>> zeta;  ///< at the nodes of the flag, 1 where it is largest
+  double adjoint_residual = 0;
+  std::optional<Sensitivity> sensitivity = {};  ///< where adjoints were asked for
+};
+
+struct Result {
+  FlagParameters flag;
+  BaseFlow base;
+  double k_x = 0;
+  int n_x = 0;                                    ///< spanwise nodes of the flag in a wave
+  std::vector<double> chord = {};                 ///< y of the flag's nodes
+  std::vector<std::array<double, 2>> nodes = {};  ///< in its equilibrium, as FlagOperator has them
+  Eigen::Index unknowns = 0;
+  int requested = 0, converged = 0;
+  std::optional<double> biorthogonality_defect = {};
+  std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
+  FieldsOfModes fields = {};           ///< of the same
+  double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
+};
+
+/// The flow in a plane that the settings, which are resolved, ask for.
+PlaneParameters plane_parameters(const FlowParameters&, const Settings&);
+
+/// Throws InputError where the settings, which are resolved, make no grid.
+OGrid grid_of(const Settings&);
+
+/// The n_modes pairs next to each target, each once; without a target the leading ones of several
+/// points along the axis of the angular frequency, on both sides where they differ.
+Spectrum spectrum_of(const CoupledOperator&, const Settings&, const EigenSolver&);
+
+/// What the settings ask for. Precondition: they are resolved. Throws SolverError.
+Result run(const FlagParameters&, const FlowParameters&, const Settings&, const EigenSolver&);
+
+/// What pennon-global hands back: the value of "global" in summary.json, the shapes and the times.
+nlohmann::ordered_json to_json(const Result&);
+
+}  // namespace pennon::modes::global
