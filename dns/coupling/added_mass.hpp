@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "dns/flag/added_inertia.hpp"
 #include "dns/flag/mesh.hpp"
 #include "dns/flag/step.hpp"
 #include "dns/flag/tangent_matrix.hpp"
@@ -31,7 +32,7 @@ Eigen::MatrixXd flat_jump_response(const OGrid&, double k);
 using SegmentValues = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 template <int dim>
-class AddedMass {
+class AddedMass final : public AddedInertia<dim> {
  public:
   /// The mesh's chordwise nodes are the grid's corners on the flag, its stations equal the planes.
   AddedMass(const OGrid&, const FlagMesh&, double mu);
@@ -44,7 +45,8 @@ class AddedMass {
   /// Adds A times the jump to the nodes' forces.
   void add_force(const SegmentValues& jump, NodeVectors<dim>& forces) const;
   /// Subtracts M_a a.
-  void subtract_force(const NodeVectors<dim>& acceleration, NodeVectors<dim>& forces) const;
+  void subtract_force(const NodeVectors<dim>& acceleration,
+                      NodeVectors<dim>& forces) const override;
 
   /// Solves (K + mass_factor M_a) x = r in place, by GMRES to `solution_error`. Its preconditioner
   /// is K's factors, of this or an earlier K, and the added mass of a flat flag without stiffness:
@@ -52,7 +54,7 @@ class AddedMass {
   ///   K^-1 (1 + M_a M^-1)^-1 = K^-1 (1 - E^T (1 + Pi E M^-1 E^T)^-1 Pi E M^-1).
   ///
   /// Returns the iterations.
-  int solve(TangentMatrix<dim>& K, double mass_factor, NodeVectors<dim>& r);
+  int solve(TangentMatrix<dim>& K, double mass_factor, NodeVectors<dim>& r) override;
 
   static constexpr double solution_error = 1e-4;
 

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "dns/coupling/added_mass.hpp"
+#include "dns/flag/added_inertia.hpp"
 #include "dns/flag/flag.hpp"
 #include "dns/numerics/backward_difference.hpp"
 
@@ -53,7 +53,7 @@ struct FlagEquation {
   FlagLoads<dim> loads;
   Pairing pairing = Pairing::end;
   double dt = 0;
-  AddedMass<dim>* added_mass = nullptr;  ///< none: the flag by itself
+  AddedInertia<dim>* added_mass = nullptr;  ///< none: the flag by itself
 
   /// All but the guess and the loads: v and dv/dt at the end of the step by backward differences.
   void pose(const FlagState<dim>&, const BackwardDifference&, double dt);

@@ -5,7 +5,9 @@
 
 #include <optional>
 
-#include "dns/fluid/fluid.hpp"
+#include "dns/grid/elliptic_grid.hpp"
+#include "dns/grid/field.hpp"
+#include "dns/grid/o_grid.hpp"
 
 namespace pennon::dns {
 

@@ -3,21 +3,17 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "modes/global/equations/coupled_operator.hpp"
+#include "modes/global/solve/eigen_solver.hpp"
 #include "modes/global/solve/sensitivity.hpp"
 #include "modes/global/solve/spectrum.hpp"
 #include "modes/global/study/mode_fields.hpp"
 #include "modes/global/study/settings.hpp"
 
 namespace pennon::modes::global {
-
-/// A few eigenpairs of A q = lambda B q next to a target, normalised.
-using EigenSolver = std::function<Spectrum(const CoupledOperator&, std::complex<double> target,
-                                           int n_modes, bool with_adjoints)>;
 
 struct GlobalMode {
   std::complex<double> lambda;             ///< growth rate and angular frequency, in V/L

@@ -6,9 +6,9 @@
 /// holds.
 #pragma once
 
+#include "modes/global/solve/eigen_solver.hpp"
 #include "modes/global/solve/shifted_inverse.hpp"
 #include "modes/global/solve/spectrum.hpp"
-#include "modes/global/study/study.hpp"
 
 namespace pennon::modes::global {
 
@@ -31,7 +31,7 @@ Spectrum eigenpairs_near(const Pencil&, const ShiftedInverse&, std::complex<doub
 Spectrum coupled_eigenpairs_near(const CoupledOperator&, std::complex<double> target, int requested,
                                  bool with_adjoints, const std::shared_ptr<SparseFactors>&);
 
-/// The same as study.hpp wants it, with the factors' analysis shared by all its calls.
+/// The same as a study of global modes asks it, with the factors' analysis shared by all its calls.
 EigenSolver coupled_eigensolver(std::shared_ptr<SparseFactors>);
 
 }  // namespace pennon::modes::global
