@@ -2,7 +2,10 @@ pennon_test(test_flag LABEL unit
             SOURCES unit/dns/flag/forces.cpp unit/dns/flag/frequency.cpp unit/dns/run/initial_shape.cpp
                     unit/dns/flag/tangent_matrix.cpp
             LINK pennon::dns_run)
-# In a program of its own: it takes the place of malloc.
+# In programs of their own: they take the place of malloc.
+pennon_test(test_fluid_allocations LABEL unit SOURCES unit/dns/fluid/allocations.cpp LINK pennon::dns_run)
+pennon_test(test_coupling_allocations LABEL unit SOURCES unit/dns/coupling/allocations.cpp
+            LINK pennon::dns_run)
 pennon_test(test_flag_allocations LABEL unit SOURCES unit/dns/flag/allocations.cpp LINK pennon::dns_run)
 pennon_test(test_flag_validation LABEL verification
             SOURCES verification/dns/flag/plates.cpp verification/dns/flag/lines.cpp

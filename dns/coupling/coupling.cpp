@@ -114,17 +114,13 @@ WallShape Coupling<dim>::wall_ahead(const CoupledState<dim>& state,
   return wall;
 }
 
-// Appends to `values` for each segment, upper face and lower face of the planes here; those of all
-// ranks.
+// What append(plane, s, values) adds for each segment s of the planes here; of all ranks.
 template <int dim>
 template <class Append>
 std::vector<double> Coupling<dim>::gather(const Append& append) const {
-  const Extent& extent = fluid_.extent();
   std::vector<double> values;
-  for (int plane = 0; plane < extent.planes; ++plane)
-    for (int s = 0; s < segments_; ++s)
-      append(extent.wall_face(plane, upper_face(extent.n_theta, s)),
-             extent.wall_face(plane, lower_face(extent.n_theta, s)), values);
+  for (int plane = 0; plane < fluid_.extent().planes; ++plane)
+    for (int s = 0; s < segments_; ++s) append(plane, s, values);
   return ranks::gather_all(values);
 }
 
@@ -132,13 +128,11 @@ std::vector<double> Coupling<dim>::gather(const Append& append) const {
 template <int dim>
 NodeVectors<dim> Coupling<dim>::areas() const {
   const FaceMetrics<double>& faces = fluid_.metrics().rho_faces;
-  const std::array<const Field<double>*, 3> along = {&faces.area_x, &faces.area_y, &faces.area_z};
-  const auto n_theta = static_cast<std::size_t>(grid_.n_theta());
-  const std::vector<double> all =
-      gather([&](std::size_t upper, std::size_t, std::vector<double>& values) {
-        for (std::size_t axis = 3 - dim; axis < 3; ++axis)
-          values.push_back(along[axis]->row(static_cast<int>(upper / n_theta), 0)[upper % n_theta]);
-      });
+  const int n_theta = grid_.n_theta();
+  const std::vector<double> all = gather([&](int plane, int s, std::vector<double>& values) {
+    for (std::size_t axis = 3 - dim; axis < 3; ++axis)
+      values.push_back(area_along(faces, component_of[axis]).row(plane, 0)[upper_face(n_theta, s)]);
+  });
   return Eigen::Map<const NodeVectors<dim>>(all.data(), dim, Eigen::Index{stations_} * segments_);
 }
 
@@ -146,11 +140,12 @@ NodeVectors<dim> Coupling<dim>::areas() const {
 template <int dim>
 NodeVectors<dim> Coupling<dim>::fixed_forces() const {
   const WallTraction traction = wall_friction(fluid_, fluid_.predicted_velocity());
-  const std::vector<double> all =
-      gather([&](std::size_t upper, std::size_t lower, std::vector<double>& values) {
-        for (std::size_t axis = 3 - dim; axis < 3; ++axis)
-          values.push_back(traction.force[axis][upper] + traction.force[axis][lower]);
-      });
+  const Extent& extent = fluid_.extent();
+  const std::vector<double> all = gather([&](int plane, int s, std::vector<double>& values) {
+    for (std::size_t axis = 3 - dim; axis < 3; ++axis)
+      values.push_back(sum_of_sides(extent.n_theta, s,
+                                    traction.force[axis].data() + extent.wall_face(plane, 0)));
+  });
   const double half = 0.5 * (dim == 2 ? 1.0 : flag_.mesh().dx());
   NodeVectors<dim> forces = outer_force_;
   if (forces.size() == 0) forces.setZero(dim, flag_.mesh().nodes());
@@ -168,10 +163,11 @@ NodeVectors<dim> Coupling<dim>::fixed_forces() const {
 template <int dim>
 SegmentValues Coupling<dim>::jump(const FluidState& state) const {
   const std::vector<double> pressure = wall_pressure(state.p);
-  const std::vector<double> all =
-      gather([&](std::size_t upper, std::size_t lower, std::vector<double>& values) {
-        values.push_back(pressure[lower] - pressure[upper]);
-      });
+  const Extent& extent = fluid_.extent();
+  const std::vector<double> all = gather([&](int plane, int s, std::vector<double>& values) {
+    values.push_back(
+        pressure_jump(extent.n_theta, s, pressure.data() + extent.wall_face(plane, 0)));
+  });
   return Eigen::Map<const SegmentValues>(all.data(), stations_, segments_);
 }
 

@@ -15,7 +15,7 @@
 #include "dns/coupling/settings.hpp"
 #include "dns/flag/flag.hpp"
 #include "dns/flag/newton.hpp"
-#include "dns/fluid/equations/wall_faces.hpp"
+#include "dns/fluid/equations/wall_forces.hpp"
 #include "dns/fluid/fluid.hpp"
 #include "dns/fluid/forces.hpp"
 #include "dns/numerics/anderson.hpp"

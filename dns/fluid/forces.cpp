@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/parallel/ranks.hpp"
-#include "dns/fluid/equations/ghosts.hpp"
+#include "dns/fluid/equations/wall_forces.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -19,7 +19,7 @@ struct Extended {
 
   Extended(const Fluid& fluid, const FluidState& state, std::size_t axis)
       : f(state.u[component_of[axis]]) {
-    fluid.extend_velocity(state, static_cast<int>(component_of[axis]), f, true);
+    fluid.extend_velocity(component_of[axis], f);
     if (!fluid.span().has_span()) return;
     f_xi = Field<double>(f.extent());
     fluid.span().differentiate(f, f_xi);
@@ -38,14 +38,14 @@ struct WallLayer {
     for (int plane = 0; plane < f.extent().planes; ++plane) {
       for (int j = 0; j < 2; ++j)
         std::copy_n(u[component].row(plane, j), f.extent().n_theta, f.row(plane, j));
-      extend_to_wall(
+      extend_inward(
           plane, fluid.wall_velocity()[component].data() + fluid.extent().wall_face(plane, 0), f);
-      f.wrap_theta(plane, -2, 2);
     }
     if (!fluid.span().has_span()) return;
     f_xi = Field<double>(f.extent());
     fluid.span().differentiate(f, f_xi);
   }
+  const Field<double>* slope() const { return f_xi.empty() ? nullptr : &f_xi; }
 };
 
 }  // namespace
@@ -54,9 +54,7 @@ std::vector<double> wall_pressure(const Field<double>& p) {
   const Extent& extent = p.extent();
   std::vector<double> pressure(extent.wall_faces());
   for (int plane = 0; plane < extent.planes; ++plane)
-    for (int i = 0; i < extent.n_theta; ++i)
-      pressure[extent.wall_face(plane, i)] =
-          wall_value(p.row(plane, 0)[i], p.row(plane, 1)[i], p.row(plane, 2)[i]);
+    wall_pressure_of(plane, p, pressure.data() + extent.wall_face(plane, 0));
   return pressure;
 }
 
@@ -71,24 +69,18 @@ WallTraction wall_friction(const Fluid& fluid, const std::vector<Field<double>>&
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!has(fluid, axis)) continue;
     const WallLayer layer(fluid, u, axis);
-    for (int plane = 0; plane < extent.planes; ++plane) {
-      const double *inside = layer.f.row(plane, 0), *ghost = layer.f.row(plane, -1);
-      for (int i = 0; i < extent.n_theta; ++i) {
-        double flux = faces.along.row(plane, 0)[i] * (inside[i] - ghost[i]) +
-                      faces.across.row(plane, 0)[i] * 0.25 *
-                          (inside[i + 1] - inside[i - 1] + ghost[i + 1] - ghost[i - 1]);
-        if (!layer.f_xi.empty())
-          flux += faces.area_x.row(plane, 0)[i] * 0.5 *
-                  (layer.f_xi.row(plane, 0)[i] + layer.f_xi.row(plane, -1)[i]);
-        const std::size_t face = extent.wall_face(plane, i);
-        traction.force[axis][face] += nu * flux;
-        const double A_y = faces.area_y.row(plane, 0)[i], A_z = faces.area_z.row(plane, 0)[i];
-        // The tangent of growing theta is (-A_z, A_y)/|A|.
-        if (axis == 1) traction.friction[face] -= nu * flux * A_z / (A_y * A_y + A_z * A_z);
-        if (axis == 2) traction.friction[face] += nu * flux * A_y / (A_y * A_y + A_z * A_z);
-      }
-    }
+    for (int plane = 0; plane < extent.planes; ++plane)
+      wall_friction_of(fluid.metrics(), plane, nu, layer.f, layer.slope(),
+                       traction.force[axis].data() + extent.wall_face(plane, 0));
   }
+  for (int plane = 0; plane < extent.planes; ++plane)
+    for (int i = 0; i < extent.n_theta; ++i) {
+      const std::size_t face = extent.wall_face(plane, i);
+      const double A_y = faces.area_y.row(plane, 0)[i], A_z = faces.area_z.row(plane, 0)[i];
+      // The tangent of growing theta is (-A_z, A_y)/|A|.
+      traction.friction[face] =
+          (traction.force[2][face] * A_y - traction.force[1][face] * A_z) / (A_y * A_y + A_z * A_z);
+    }
   return traction;
 }
 
@@ -98,8 +90,7 @@ WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
   WallTraction traction = wall_friction(fluid, state.u);
   traction.pressure = wall_pressure(state.p);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Field<double>& area =
-        axis == 0 ? faces.area_x : (axis == 1 ? faces.area_y : faces.area_z);
+    const Field<double>& area = area_along(faces, component_of[axis]);
     if (area.empty()) continue;
     for (int plane = 0; plane < extent.planes; ++plane)
       for (int i = 0; i < extent.n_theta; ++i) {
@@ -135,7 +126,7 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
   const Metrics<double>& metrics = fluid.metrics();
   const bool has_span = fluid.span().has_span();
   const double share = 1.0 / fluid.span().planes(), nu = 1 / fluid.parameters().Re;
-  const Vector3 stream = {fluid.stream(2), fluid.stream(0), 0};
+  const Vector3 stream = {fluid.stream(along_x), fluid.stream(along_y), 0};
   const std::array<const Field<double>*, 3> outer_areas = {nullptr, &metrics.rho_faces.area_y,
                                                            &metrics.rho_faces.area_z};
   FluidBudget budget;
@@ -161,7 +152,7 @@ FluidBudget fluid_budget(const Fluid& fluid, const FluidState& state,
         // Convection and pressure, in the disturbance as the last cells hold it.
         const double flux = share * fluid.flux_across_rho().row(plane, n)[i];
         const double outside =
-            1.5 * u.f.row(plane, n - 1)[i] - 0.5 * u.f.row(plane, n - 2)[i] - stream[axis];
+            outside_value(u.f.row(plane, n - 1)[i], u.f.row(plane, n - 2)[i]) - stream[axis];
         const double push = outer_areas[axis] ? share * fluid.outer_pressure()[face] *
                                                     outer_areas[axis]->row(plane, n)[i]
                                               : 0.0;

@@ -9,10 +9,10 @@ namespace {
 struct Derivatives {
   Field<double> x, y, z;
 
-  Derivatives(const Fluid& fluid, const FluidState& state, int component)
+  Derivatives(const Fluid& fluid, const FluidState& state, std::size_t component)
       : y(fluid.extent()), z(fluid.extent()) {
-    Field<double> f = state.u[static_cast<std::size_t>(component)];
-    fluid.extend_velocity(state, component, f, true);
+    Field<double> f = state.u[component];
+    fluid.extend_velocity(component, f);
     const bool has_span = fluid.span().has_span();
     Field<double> f_xi;
     if (has_span) {
@@ -35,11 +35,11 @@ Field<double> difference(const Field<double>& a, const Field<double>& b) {
 }  // namespace
 
 Vorticity vorticity(const Fluid& fluid, const FluidState& state) {
-  const Derivatives v(fluid, state, 0), w(fluid, state, 1);
+  const Derivatives v(fluid, state, along_y), w(fluid, state, along_z);
   Vorticity omega;
   omega.x = difference(w.y, v.z);
   if (!fluid.span().has_span()) return omega;
-  const Derivatives u(fluid, state, 2);
+  const Derivatives u(fluid, state, along_x);
   omega.y = difference(u.z, w.x);
   omega.z = difference(v.x, u.y);
   omega.in_plane = omega.y;

@@ -24,8 +24,8 @@ struct Row {
   const Scalar *y = nullptr, *z = nullptr;
 
   Row() = default;
-  Row(const Displacement<Scalar>& displacement, int plane, int j)
-      : y(displacement.y.row(plane, j)), z(displacement.z.row(plane, j)) {}
+  Row(const Field<Scalar>& of_y, const Field<Scalar>& of_z, int plane, int j)
+      : y(of_y.row(plane, j)), z(of_z.row(plane, j)) {}
   Pair<Scalar> operator[](int i) const { return {y[i], z[i]}; }
 };
 
@@ -78,12 +78,12 @@ struct Writer {
   const OGrid& grid;
   int plane;
   const Displacement<Scalar>& displacement;
-  const Displacement<Scalar>* slope;
+  const Field<Scalar>*slope_y, *slope_z;
   Metrics<Scalar>& metrics;
 
-  Row<Scalar> row(int j) const { return {displacement, plane, j}; }
+  Row<Scalar> row(int j) const { return {displacement.y, displacement.z, plane, j}; }
   Row<Scalar> slope_row(int j) const {
-    if constexpr (has_span) return {*slope, plane, j};
+    if constexpr (has_span) return {*slope_y, *slope_z, plane, j};
     return {};
   }
 
@@ -203,11 +203,19 @@ Metrics<Scalar>::Metrics(const Extent& extent, bool with_span)
 
 template <class Scalar>
 void update_metrics(const OGrid& grid, int plane, const Displacement<Scalar>& displacement,
-                    const Displacement<Scalar>* slope, Metrics<Scalar>& metrics) {
+                    const Field<Scalar>* slope_y, const Field<Scalar>* slope_z,
+                    Metrics<Scalar>& metrics) {
   if (metrics.has_span)
-    Writer<true, Scalar>{grid, plane, displacement, slope, metrics}.write();
+    Writer<true, Scalar>{grid, plane, displacement, slope_y, slope_z, metrics}.write();
   else
-    Writer<false, Scalar>{grid, plane, displacement, slope, metrics}.write();
+    Writer<false, Scalar>{grid, plane, displacement, slope_y, slope_z, metrics}.write();
+}
+
+template <class Scalar>
+void update_metrics(const OGrid& grid, int plane, const Displacement<Scalar>& displacement,
+                    const Displacement<Scalar>* slope, Metrics<Scalar>& metrics) {
+  update_metrics(grid, plane, displacement, slope ? &slope->y : nullptr,
+                 slope ? &slope->z : nullptr, metrics);
 }
 
 void corners_of(const OGrid& grid, int plane, const Displacement<double>& displacement, double* y,
@@ -222,6 +230,8 @@ void corners_of(const OGrid& grid, int plane, const Displacement<double>& displa
 
 template struct Metrics<double>;
 template struct Metrics<std::complex<double>>;
+template void update_metrics(const OGrid&, int, const Displacement<double>&, const Field<double>*,
+                             const Field<double>*, Metrics<double>&);
 template void update_metrics(const OGrid&, int, const Displacement<double>&,
                              const Displacement<double>*, Metrics<double>&);
 template void update_metrics(const OGrid&, int, const Displacement<std::complex<double>>&,

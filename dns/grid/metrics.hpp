@@ -45,7 +45,12 @@ struct Metrics {
   Metrics(const Extent& extent, bool with_span);
 };
 
-/// Fills a plane. `slope`: the displacement's derivative by xi, read if the metrics have a span.
+/// Fills a plane. `slope_y`, `slope_z`: the derivatives of the displacement by xi, read if the
+/// metrics have a span.
+template <class Scalar>
+void update_metrics(const OGrid&, int plane, const Displacement<Scalar>& displacement,
+                    const Field<Scalar>* slope_y, const Field<Scalar>* slope_z, Metrics<Scalar>&);
+/// The same with both in one.
 template <class Scalar>
 void update_metrics(const OGrid&, int plane, const Displacement<Scalar>& displacement,
                     const Displacement<Scalar>* slope, Metrics<Scalar>&);

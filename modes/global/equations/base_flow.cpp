@@ -128,9 +128,8 @@ void find_tension(BaseFlow& base) {
 BaseFlow base_flow(const OGrid& grid, const PlaneParameters& parameters, int components) {
   const Extent extent{1, grid.n_rho(), grid.n_theta()};
   BaseFlow base{parameters, PlaneFlow<double>(extent, components), {}, {}, {}};
-  std::ranges::fill(base.q.u[0].values(), 1.0);
-  constexpr std::size_t along_x = 2;
-  if (components > 2) std::ranges::fill(base.q.u[along_x].values(), parameters.U);
+  std::ranges::fill(base.q.u[dns::along_y].values(), 1.0);
+  if (components > 2) std::ranges::fill(base.q.u[dns::along_x].values(), parameters.U);
   base.is_inflow = inflow_of_stream(grid, parameters);
   double solved_Re = 0, step = widest_step;
   while (solved_Re != parameters.Re) {

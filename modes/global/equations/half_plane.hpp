@@ -37,8 +37,10 @@ class HalfPlane {
   /// The column below the flag that goes with one above, and the sign of a field there.
   int mirror(int i) const { return n_theta_ - 1 - i; }
   double sign_below(int field) const {
-    constexpr int along_z = 1;
-    return (field == along_z) == (symmetry_ == Symmetry::antisymmetric) ? 1 : -1;
+    return (static_cast<std::size_t>(field) == dns::along_z) ==
+                   (symmetry_ == Symmetry::antisymmetric)
+               ? 1
+               : -1;
   }
 
   template <class Scalar>

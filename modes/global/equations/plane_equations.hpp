@@ -1,5 +1,5 @@
 /// The equations of the simulation (dns/fluid/fluid.hpp) in one plane x = const, continuous in
-/// time, from the same stencils, ghosts and metrics:
+/// time, by the same functions (dns/fluid/equations):
 ///
 ///   V dv/dt + R_v - dX_v/dx = 0,     R_p - dX_p/dx = 0,
 ///
@@ -17,9 +17,11 @@
 /// Templated on the scalar, for complex steps. Scales: L, V, rho_f.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <vector>
 
+#include "dns/fluid/equations/component.hpp"
 #include "dns/fluid/equations/stencils.hpp"
 #include "dns/grid/elliptic_grid.hpp"
 #include "dns/grid/field.hpp"
@@ -91,23 +93,24 @@ class PlaneEquations {
   const Scalar* outer_flux() const { return flux_rho_.row(0, extent_.n_rho); }
 
  private:
-  void momentum(int component, PlaneFlow<Scalar>& q, const Field<Scalar>* f_xi, Field<Scalar>& R);
-  void add_pressure(const PlaneFlow<Scalar>& q, const Field<Scalar>* p_xi, PlaneFlow<Scalar>& R);
+  void momentum(std::size_t component, PlaneFlow<Scalar>& q, const Field<Scalar>* f_xi,
+                Field<Scalar>& R);
   void continuity(const PlaneFlow<Scalar>& q, Field<Scalar>& R);
   void find_forces(const PlaneFlow<Scalar>& q);
   bool has_span() const { return metrics_.has_span; }
-  double stream(int component) const;
 
   OGrid grid_;
   PlaneParameters parameters_;
+  std::array<double, 3> stream_;  // by component
   Extent extent_;
   dns::Metrics<Scalar> metrics_;
   Displacement<Scalar> no_slope_;
   std::vector<bool> is_inflow_;
   Field<Scalar> grid_velocity_y_, grid_velocity_z_;
   std::vector<std::vector<Scalar>> wall_velocity_;  // by component
-  std::vector<Scalar> outer_pressure_;
-  Field<Scalar> C_s_, C_t_, work_, flux_rho_, flux_theta_, across_rho_, across_theta_;
+  std::vector<Scalar> outer_pressure_, wall_pressure_;
+  Field<Scalar> C_s_, C_t_, convected_, balance_, flux_rho_, flux_theta_, across_rho_,
+      across_theta_;
   std::vector<Field<Scalar>> gradient_;        // of the pressure, then v + tau grad p
   std::vector<std::vector<Scalar>> friction_;  // of the wall's faces, by component
   SegmentForces<Scalar> forces_;

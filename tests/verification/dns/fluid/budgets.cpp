@@ -37,8 +37,8 @@ Budget budget_within(FluidRun& run, int rows) {
   const Metrics<double>& metrics = fluid.metrics();
   const double nu = 1 / fluid.parameters().Re;
   Field<double> v = state.u[0], w = state.u[1], p = state.p;
-  fluid.extend_velocity(state, 0, v, true);
-  fluid.extend_velocity(state, 1, w, true);
+  fluid.extend_velocity(along_y, v);
+  fluid.extend_velocity(along_z, w);
   fluid.extend_pressure(p);
   Field<double> v_y(extent), v_z(extent), w_y(extent), w_z(extent);
   gradient<double>(metrics, 0, v, nullptr, {nullptr, &v_y, &v_z});

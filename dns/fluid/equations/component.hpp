@@ -1,0 +1,32 @@
+/// The components of the fluid's velocity, in the order in which fields keep them: y, z and, where
+/// the case has a span or a cross-flow, x.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "dns/grid/field.hpp"
+#include "dns/grid/metrics.hpp"
+
+namespace pennon::dns {
+
+enum Component : std::size_t { along_y, along_z, along_x };
+
+/// The component along the axis x, y, z; and the axis of a component.
+inline constexpr std::array<Component, 3> component_of = {along_x, along_y, along_z};
+inline constexpr std::array<std::size_t, 3> axis_of = {1, 2, 0};
+
+/// The uniform stream (U, 1, 0), V = 1.
+inline double uniform_stream(std::size_t component, double U) {
+  if (component == along_x) return U;
+  return component == along_y ? 1.0 : 0.0;
+}
+
+/// The area vector's component; empty along x where there is no span.
+template <class Scalar>
+const Field<Scalar>& area_along(const FaceMetrics<Scalar>& faces, std::size_t component) {
+  if (component == along_x) return faces.area_x;
+  return component == along_y ? faces.area_y : faces.area_z;
+}
+
+}  // namespace pennon::dns

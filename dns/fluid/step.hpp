@@ -1,0 +1,80 @@
+/// What the parts of a step of the fluid share: its time step, the stream, work arrays, and what it
+/// reports.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dns/grid/field.hpp"
+#include "dns/grid/scratch.hpp"
+#include "dns/numerics/backward_difference.hpp"
+
+namespace pennon::dns {
+
+/// A step from t - dt to t.
+struct FluidStep {
+  BackwardDifference D{1, 0};
+  double t = 0, dt = 1;
+  std::array<double, 3> stream{};  ///< its velocity at t, by component
+  std::array<double, 3> drive{};   ///< d/dt of it by D: what drives all of the fluid alike
+
+  /// dt' of docs/theory/fluid.md: the length over which the new pressure acts.
+  double dt_of_pressure() const { return 1 / D.next; }
+};
+
+/// Wall seconds of a step by phase.
+struct FluidStepTimes {
+  double grid = 0, metrics = 0, prediction = 0, projection = 0;
+};
+
+struct FluidStepSummary {
+  int pressure_iterations = 0;
+  int velocity_iterations = 0;   ///< the more of (v, w) and u
+  int grid_passes = 0;           ///< the most of a plane
+  double least_area = 1;         ///< of a cell, over its area at rest
+  double largest_wall_area = 1;  ///< of a cell at the flag, over its area at rest
+  double CFL = 0;                ///< largest Courant number, sum over the directions
+  FluidStepTimes seconds;
+};
+
+/// A body force and wall velocities given by place and time, along x, y, z, for manufactured
+/// solutions; what is empty is not there. Without wall_velocity the wall moves as its shape does.
+struct Manufactured {
+  using Function = std::function<std::array<double, 3>(double t, double x, double y, double z)>;
+  Function force, wall_velocity;
+};
+
+/// The velocity of the wall's faces by component, n_theta numbers for each plane.
+using WallVelocity = std::vector<std::vector<double>>;
+
+/// Work arrays of the fluid: fields of all planes of this rank, fields of one plane, and packed
+/// vectors of two components.
+struct FluidScratch {
+  Scratch<Field<double>> fields, planes;
+  Scratch<std::vector<double>> vectors;
+
+  explicit FluidScratch(const Extent& extent)
+      : fields([extent] { return Field<double>(extent); }),
+        planes([extent] {
+          return Field<double>(Extent{1, extent.n_rho, extent.n_theta});
+        }),
+        vectors([extent] { return std::vector<double>(2 * extent.cells()); }) {}
+};
+
+using FieldLease = Scratch<Field<double>>::Lease;
+using VectorLease = Scratch<std::vector<double>>::Lease;
+
+/// sum = a f + b g, ghosts too.
+inline void combine(double a, const Field<double>& f, double b, const Field<double>& g,
+                    Field<double>& sum) {
+  const double *from = f.values().data(), *other = g.values().data();
+  double* to = sum.values().data();
+  for (std::size_t k = 0; k < sum.values().size(); ++k) to[k] = a * from[k] + b * other[k];
+}
+
+/// Throws SolverError with the time in front.
+[[noreturn]] void fail_at(double t, const std::string& what);
+
+}  // namespace pennon::dns
