@@ -69,13 +69,21 @@ std::vector<double> gather(std::span<const double> values) {
 }
 
 std::vector<double> gather_all(std::span<const double> values) {
-  std::vector<double> all = gather(values);
-  if (count() == 1) return all;
+  std::vector<double> all;
+  gather_all(values, all);
+  return all;
+}
+
+void gather_all(std::span<const double> values, std::vector<double>& all) {
+  if (count() == 1) {
+    all.assign(values.begin(), values.end());
+    return;
+  }
+  all = gather(values);
   auto size = static_cast<int>(all.size());
   MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
   all.resize(static_cast<std::size_t>(size));
   MPI_Bcast(all.data(), size, MPI_DOUBLE, 0, MPI_COMM_WORLD);
-  return all;
 }
 
 void abandon(int exit_code) {

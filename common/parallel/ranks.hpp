@@ -28,6 +28,7 @@ std::vector<double> gather(std::span<const double> values);
 
 /// The same on every rank.
 std::vector<double> gather_all(std::span<const double> values);
+void gather_all(std::span<const double> values, std::vector<double>& all);
 
 /// Ends all ranks at once with an exit code: for a fault that one of them alone has met.
 [[noreturn]] void abandon(int exit_code);

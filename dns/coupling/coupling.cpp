@@ -41,6 +41,7 @@ Coupling<dim>::Coupling(Fluid& fluid, const Flag<dim>& flag,
       grid_(fluid.grid()),
       settings_(settings),
       added_mass_(fluid.grid(), flag.mesh(), flag.material().mu),
+      friction_(fluid),
       newton_(flag, {.contraction = usual_contraction<dim>}),
       acceleration_(Eigen::Index{flag.mesh().stations()} * (flag.mesh().chord_nodes() - 1),
                     static_cast<int>(settings.most_passes)),
@@ -66,10 +67,10 @@ CoupledState<dim> Coupling<dim>::start(const NodeVectors<dim>& x, double t) {
 // --- From the flag to the fluid's wall, and back
 
 template <int dim>
-WallShape Coupling<dim>::wall_of(const NodeVectors<dim>& x) const {
+void Coupling<dim>::place_wall(const NodeVectors<dim>& x, WallShape& wall) const {
   const Extent& extent = fluid_.extent();
-  WallShape wall{std::vector<double>(extent.wall_faces()),
-                 std::vector<double>(extent.wall_faces())};
+  wall.y.resize(extent.wall_faces());
+  wall.z.resize(extent.wall_faces());
   for (int plane = 0; plane < extent.planes; ++plane)
     for (int i = 0; i < extent.n_theta; ++i) {
       const int j = std::abs(extent.n_theta / 2 - i);
@@ -77,26 +78,30 @@ WallShape Coupling<dim>::wall_of(const NodeVectors<dim>& x) const {
       wall.y[extent.wall_face(plane, i)] = node[dim - 2] - flag_.mesh().y(j);
       wall.z[extent.wall_face(plane, i)] = node[dim - 1];
     }
+}
+
+template <int dim>
+WallShape Coupling<dim>::wall_of(const NodeVectors<dim>& x) const {
+  WallShape wall;
+  place_wall(x, wall);
   return wall;
 }
 
 template <int dim>
-NodeVectors<dim> Coupling<dim>::velocity_ahead(const CoupledState<dim>& state,
-                                               const BackwardDifference& D) const {
-  NodeVectors<dim> velocity = D.guess_last * state.flag.v;
+void Coupling<dim>::find_velocity_ahead(const CoupledState<dim>& state, const BackwardDifference& D,
+                                        NodeVectors<dim>& velocity) const {
+  velocity = D.guess_last * state.flag.v;
   if (D.guess_before != 0) velocity += D.guess_before * state.flag.previous_v;
-  return velocity;
 }
 
 // The wall at the end of the step: its velocity by backward differences is the flag's,
 // extrapolated.
 template <int dim>
-WallShape Coupling<dim>::wall_ahead(const CoupledState<dim>& state,
-                                    const NodeVectors<dim>& velocity,
-                                    const BackwardDifference& D) const {
+void Coupling<dim>::place_wall_ahead(const CoupledState<dim>& state,
+                                     const NodeVectors<dim>& velocity, const BackwardDifference& D,
+                                     WallShape& wall) const {
   const Extent& extent = fluid_.extent();
-  const WallShape flag = wall_of(state.flag.x);
-  WallShape wall = flag;
+  place_wall(state.flag.x, wall);
   for (int plane = 0; plane < extent.planes; ++plane)
     for (int i = 0; i < extent.n_theta; ++i) {
       const int j = std::abs(extent.n_theta / 2 - i);
@@ -108,46 +113,46 @@ WallShape Coupling<dim>::wall_ahead(const CoupledState<dim>& state,
         return (v_c + rate_of_return * (at_flag - last) - D.last * last - D.before * before) /
                D.next;
       };
-      wall.y[face] = ahead(v[dim - 2], flag.y[face], &Displacement<double>::y);
-      wall.z[face] = ahead(v[dim - 1], flag.z[face], &Displacement<double>::z);
+      wall.y[face] = ahead(v[dim - 2], wall.y[face], &Displacement<double>::y);
+      wall.z[face] = ahead(v[dim - 1], wall.z[face], &Displacement<double>::z);
     }
-  return wall;
 }
 
 // What append(plane, s, values) adds for each segment s of the planes here; of all ranks.
 template <int dim>
 template <class Append>
-std::vector<double> Coupling<dim>::gather(const Append& append) const {
-  std::vector<double> values;
+const std::vector<double>& Coupling<dim>::gather(const Append& append) {
+  here_.clear();
   for (int plane = 0; plane < fluid_.extent().planes; ++plane)
-    for (int s = 0; s < segments_; ++s) append(plane, s, values);
-  return ranks::gather_all(values);
+    for (int s = 0; s < segments_; ++s) append(plane, s, here_);
+  ranks::gather_all(here_, gathered_);
+  return gathered_;
 }
 
 // Of the segments, as their upper faces have them.
 template <int dim>
-NodeVectors<dim> Coupling<dim>::areas() const {
+void Coupling<dim>::find_areas(NodeVectors<dim>& areas) {
   const FaceMetrics<double>& faces = fluid_.metrics().rho_faces;
   const int n_theta = grid_.n_theta();
-  const std::vector<double> all = gather([&](int plane, int s, std::vector<double>& values) {
+  const std::vector<double>& all = gather([&](int plane, int s, std::vector<double>& values) {
     for (std::size_t axis = 3 - dim; axis < 3; ++axis)
       values.push_back(area_along(faces, component_of[axis]).row(plane, 0)[upper_face(n_theta, s)]);
   });
-  return Eigen::Map<const NodeVectors<dim>>(all.data(), dim, Eigen::Index{stations_} * segments_);
+  areas = Eigen::Map<const NodeVectors<dim>>(all.data(), dim, Eigen::Index{stations_} * segments_);
 }
 
 // Those on the nodes that the passes do not change: the friction of both sides and outer_force_.
 template <int dim>
-NodeVectors<dim> Coupling<dim>::fixed_forces() const {
-  const WallTraction traction = wall_friction(fluid_, fluid_.predicted_velocity());
+void Coupling<dim>::find_fixed_forces(NodeVectors<dim>& forces) {
+  const WallTraction& traction = friction_.find(fluid_.predicted_velocity());
   const Extent& extent = fluid_.extent();
-  const std::vector<double> all = gather([&](int plane, int s, std::vector<double>& values) {
+  const std::vector<double>& all = gather([&](int plane, int s, std::vector<double>& values) {
     for (std::size_t axis = 3 - dim; axis < 3; ++axis)
       values.push_back(sum_of_sides(extent.n_theta, s,
                                     traction.force[axis].data() + extent.wall_face(plane, 0)));
   });
   const double half = 0.5 * (dim == 2 ? 1.0 : flag_.mesh().dx());
-  NodeVectors<dim> forces = outer_force_;
+  forces = outer_force_;
   if (forces.size() == 0) forces.setZero(dim, flag_.mesh().nodes());
   const double* force = all.data();
   for (int m = 0; m < stations_; ++m)
@@ -156,46 +161,48 @@ NodeVectors<dim> Coupling<dim>::fixed_forces() const {
       forces.col(flag_.mesh().index(m, s)) += half * of_segment;
       forces.col(flag_.mesh().index(m, s + 1)) += half * of_segment;
     }
-  return forces;
 }
 
 // The pressure below less that above.
 template <int dim>
-SegmentValues Coupling<dim>::jump(const FluidState& state) const {
-  const std::vector<double> pressure = wall_pressure(state.p);
+void Coupling<dim>::find_jump(const FluidState& state, SegmentValues& jump) {
+  find_wall_pressure(state.p, wall_pressure_);
   const Extent& extent = fluid_.extent();
-  const std::vector<double> all = gather([&](int plane, int s, std::vector<double>& values) {
+  const std::vector<double>& all = gather([&](int plane, int s, std::vector<double>& values) {
     values.push_back(
-        pressure_jump(extent.n_theta, s, pressure.data() + extent.wall_face(plane, 0)));
+        pressure_jump(extent.n_theta, s, wall_pressure_.data() + extent.wall_face(plane, 0)));
   });
-  return Eigen::Map<const SegmentValues>(all.data(), stations_, segments_);
+  jump = Eigen::Map<const SegmentValues>(all.data(), stations_, segments_);
 }
 
 template <int dim>
 void Coupling<dim>::move_wall(const NodeVectors<dim>& v) {
   const Extent& extent = fluid_.extent();
-  std::vector<double> velocity(extent.wall_faces());
+  face_velocity_.resize(extent.wall_faces());
   for (std::size_t axis = 3 - dim; axis < 3; ++axis) {
     for (int plane = 0; plane < extent.planes; ++plane)
       for (int s = 0; s < segments_; ++s) {
         const int node = flag_.mesh().index(fluid_.span().first_plane() + plane, s);
         const auto row = static_cast<Eigen::Index>(axis) - (3 - dim);
         const double mean = 0.5 * (v(row, node) + v(row, node + 1));
-        velocity[extent.wall_face(plane, upper_face(extent.n_theta, s))] = mean;
-        velocity[extent.wall_face(plane, lower_face(extent.n_theta, s))] = mean;
+        face_velocity_[extent.wall_face(plane, upper_face(extent.n_theta, s))] = mean;
+        face_velocity_[extent.wall_face(plane, lower_face(extent.n_theta, s))] = mean;
       }
-    fluid_.set_wall_velocity(component_of[axis], velocity);
+    fluid_.set_wall_velocity(component_of[axis], face_velocity_);
   }
 }
 
 // --- The step
 
 template <int dim>
-SegmentValues Coupling<dim>::guessed_jump(const CoupledState<dim>& state,
-                                          const BackwardDifference& D) const {
-  if (state.jump.size() == 0) return SegmentValues::Zero(stations_, segments_);
-  if (state.previous_jump.size() == 0) return state.jump;
-  return D.guess_last * state.jump + D.guess_before * state.previous_jump;
+void Coupling<dim>::guess_jump(const CoupledState<dim>& state, const BackwardDifference& D,
+                               SegmentValues& g) const {
+  if (state.jump.size() == 0)
+    g.setZero(stations_, segments_);
+  else if (state.previous_jump.size() == 0)
+    g = state.jump;
+  else
+    g = D.guess_last * state.jump + D.guess_before * state.previous_jump;
 }
 
 template <int dim>
@@ -203,13 +210,12 @@ double Coupling<dim>::root_mean_square(const SegmentValues& jump) const {
   return jump.cwiseProduct(weights_).norm();
 }
 
-// The flag's end of the step under the reduced jump g: x_, v_, a_.
+// The flag's end of the step under fixed_ and the reduced jump g_: x_, v_, a_.
 template <int dim>
-void Coupling<dim>::solve_flag(const CoupledState<dim>& state, const NodeVectors<dim>& fixed,
-                               const SegmentValues& g, CoupledStepSummary& summary) {
+void Coupling<dim>::solve_flag(const CoupledState<dim>& state, CoupledStepSummary& summary) {
   const StopWatch watch;
-  equation_.loads.node_forces = fixed;
-  added_mass_.add_force(g, equation_.loads.node_forces);
+  equation_.loads.node_forces = fixed_;
+  added_mass_.add_force(g_, equation_.loads.node_forces);
   StepSummary newton;
   if (!newton_.solve(state.flag.x, equation_, x_, v_, newton))
     throw SolverError(
@@ -226,34 +232,35 @@ template <int dim>
 CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   const BackwardDifference D(dt, state.fluid.previous_dt);
   CoupledStepSummary summary;
-  const NodeVectors<dim> velocity = velocity_ahead(state, D);
-  move_wall(velocity);  // along x, where the grid does not follow
-  fluid_.begin_step(state.fluid, wall_ahead(state, velocity, D), dt);
-  NodeVectors<dim> fixed = fixed_forces();
-  added_mass_.set_areas(areas());
+  find_velocity_ahead(state, D, velocity_);
+  move_wall(velocity_);  // along x, where the grid does not follow
+  place_wall_ahead(state, velocity_, D, wall_);
+  fluid_.begin_step(state.fluid, wall_, dt);
+  find_fixed_forces(fixed_);
+  find_areas(areas_);
+  added_mass_.set_areas(areas_);
   equation_.pose(state.flag, D, dt);
   // An error of the positions is one of the jump, mass_factor (mu + added mass) times as large.
   constexpr double rounding = 1e-14;
   newton_.set_tolerance(std::max(0.2 * settings_.tolerance / equation_.mass_factor, rounding));
   double pressure_tolerance = std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
-  SegmentValues g = guessed_jump(state, D), found;
+  guess_jump(state, D, g_);
   // The positions that the extrapolated velocity leads to.
-  x_ = (velocity - equation_.velocity_rest) / D.next - state.flag.x;
+  x_ = (velocity_ - equation_.velocity_rest) / D.next - state.flag.x;
   flag_.clear_held(x_);
   x_ += state.flag.x;
   acceleration_.restart();
   newton_.begin_step();
   for (summary.passes = 1;; ++summary.passes) {
-    solve_flag(state, fixed, g, summary);
+    solve_flag(state, summary);
     move_wall(v_);
     // It bounds the error's mean over the fluid; that at an edge of the flag can be much larger,
     // and the jump then stays as it is.
     if (fluid_.solve_pressure(state.fluid, pressure_tolerance) == 0) pressure_tolerance *= 0.1;
-    SegmentValues change;
-    added_mass_.find_jump(a_, change);
-    found = jump(state.fluid);
-    change += found - g;
-    summary.residual = root_mean_square(change) / std::max(1.0, root_mean_square(g));
+    added_mass_.find_jump(a_, change_);
+    find_jump(state.fluid, found_);
+    change_ += found_ - g_;
+    summary.residual = root_mean_square(change_) / std::max(1.0, root_mean_square(g_));
     if (summary.residual <= settings_.tolerance) break;
     if (summary.passes == settings_.most_passes || !std::isfinite(summary.residual))
       throw SolverError(fmt::format(
@@ -262,32 +269,35 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
           "start, dns.first_dt",
           state.fluid.t, summary.passes, summary.residual, settings_.tolerance));
     // Weighted, so that its norm is the root mean square over the flag.
-    g = g.cwiseProduct(weights_).eval();
-    change = change.cwiseProduct(weights_).eval();
-    acceleration_.advance(Eigen::Map<Eigen::VectorXd>(g.data(), g.size()),
-                          Eigen::Map<Eigen::VectorXd>(change.data(), change.size()));
-    g = g.cwiseQuotient(weights_).eval();
+    g_.array() *= weights_.array();
+    change_.array() *= weights_.array();
+    acceleration_.advance(Eigen::Map<Eigen::VectorXd>(g_.data(), g_.size()),
+                          Eigen::Map<Eigen::VectorXd>(change_.data(), change_.size()));
+    g_.array() /= weights_.array();
   }
-  added_mass_.add_force(found, fixed);
-  accept(state, fixed, g);
+  added_mass_.add_force(found_, fixed_);
+  accept(state, fixed_);
   summary.fluid = fluid_.finish_step(state.fluid);
   return summary;
 }
 
 // The step as the last pass left it; `force`: of the fluid and outer_force_ on the nodes.
 template <int dim>
-void Coupling<dim>::accept(CoupledState<dim>& state, const NodeVectors<dim>& force,
-                           const SegmentValues& g) {
+void Coupling<dim>::accept(CoupledState<dim>& state, const NodeVectors<dim>& force) {
   FlagState<dim>& flag = state.flag;
   const double power = force.cwiseProduct(v_).sum();
   flag.work += equation_.dt * (state.power + power) / 2;
   flag.dissipated += flag_.stretch().dissipated(flag.x, x_, equation_.dt);
   state.power = power;
-  flag.previous_x = std::exchange(flag.x, x_);
-  flag.previous_v = std::exchange(flag.v, v_);
+  const auto replace = [](auto& now, auto& previous, const auto& next) {
+    std::swap(now, previous);
+    now = next;
+  };
+  replace(flag.x, flag.previous_x, x_);
+  replace(flag.v, flag.previous_v, v_);
   flag.previous_dt = equation_.dt;
   flag.t += equation_.dt;
-  state.previous_jump = std::exchange(state.jump, g);
+  replace(state.jump, state.previous_jump, g_);
 }
 
 template <int dim>
@@ -299,7 +309,8 @@ CoupledStepSummary Coupling<dim>::advance_held(CoupledState<dim>& state, double 
   state.flag.previous_v = state.flag.v;
   state.flag.previous_dt = dt;
   state.flag.t += dt;
-  state.previous_jump = std::exchange(state.jump, jump(state.fluid));
+  std::swap(state.jump, state.previous_jump);
+  find_jump(state.fluid, state.jump);
   return summary;
 }
 

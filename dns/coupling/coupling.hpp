@@ -65,33 +65,41 @@ class Coupling {
   WallShape wall_of(const NodeVectors<dim>& x) const;
 
  private:
-  NodeVectors<dim> velocity_ahead(const CoupledState<dim>&, const BackwardDifference&) const;
-  WallShape wall_ahead(const CoupledState<dim>&, const NodeVectors<dim>& velocity,
-                       const BackwardDifference&) const;
+  void place_wall(const NodeVectors<dim>& x, WallShape&) const;
+  void find_velocity_ahead(const CoupledState<dim>&, const BackwardDifference&,
+                           NodeVectors<dim>& velocity) const;
+  void place_wall_ahead(const CoupledState<dim>&, const NodeVectors<dim>& velocity,
+                        const BackwardDifference&, WallShape&) const;
   template <class Append>
-  std::vector<double> gather(const Append&) const;
-  NodeVectors<dim> areas() const;
-  NodeVectors<dim> fixed_forces() const;
-  SegmentValues jump(const FluidState&) const;
+  const std::vector<double>& gather(const Append&);
+  void find_areas(NodeVectors<dim>& areas);
+  void find_fixed_forces(NodeVectors<dim>& forces);
+  void find_jump(const FluidState&, SegmentValues& jump);
   void move_wall(const NodeVectors<dim>& v);
-  SegmentValues guessed_jump(const CoupledState<dim>&, const BackwardDifference&) const;
-  void solve_flag(const CoupledState<dim>&, const NodeVectors<dim>& fixed, const SegmentValues& g,
-                  CoupledStepSummary&);
+  void guess_jump(const CoupledState<dim>&, const BackwardDifference&, SegmentValues& g) const;
+  void solve_flag(const CoupledState<dim>&, CoupledStepSummary&);
   double root_mean_square(const SegmentValues&) const;
-  void accept(CoupledState<dim>&, const NodeVectors<dim>& force, const SegmentValues& g);
+  void accept(CoupledState<dim>&, const NodeVectors<dim>& force);
 
   Fluid& fluid_;
   const Flag<dim>& flag_;
   const OGrid& grid_;
   CouplingSettings settings_;
   AddedMass<dim> added_mass_;
+  WallFriction friction_;
   FlagNewton<dim> newton_;
   FlagEquation<dim> equation_;
   Anderson acceleration_;
   NodeVectors<dim> outer_force_;
   int stations_, segments_;
-  SegmentValues weights_;       // root of a segment's share of the flag
-  NodeVectors<dim> x_, v_, a_;  // at the end of the step, of the last pass
+  SegmentValues weights_;  // root of a segment's share of the flag
+  // Of a step.
+  WallShape wall_;
+  NodeVectors<dim> velocity_, areas_;  // extrapolated; of the segments
+  NodeVectors<dim> fixed_;             // forces that the passes do not change
+  NodeVectors<dim> x_, v_, a_;         // at its end, of the last pass
+  SegmentValues g_, found_, change_;   // the reduced jump, the fluid's, and what a pass changes
+  std::vector<double> face_velocity_, wall_pressure_, here_, gathered_;
 };
 
 /// The same positions with the stretch of the boundary layer's friction (4.1): T(y) = 1.3 Re^-1/2

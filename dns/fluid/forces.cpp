@@ -27,68 +27,57 @@ struct Extended {
   const Field<double>* slope() const { return f_xi.empty() ? nullptr : &f_xi; }
 };
 
-// The two cells next to the wall of a component, its ghosts behind the wall, and their derivative
-// by x where there is a span.
-struct WallLayer {
-  Field<double> f, f_xi;
-
-  WallLayer(const Fluid& fluid, const std::vector<Field<double>>& u, std::size_t axis)
-      : f(Extent{fluid.extent().planes, 2, fluid.extent().n_theta}) {
-    const std::size_t component = component_of[axis];
-    for (int plane = 0; plane < f.extent().planes; ++plane) {
-      for (int j = 0; j < 2; ++j)
-        std::copy_n(u[component].row(plane, j), f.extent().n_theta, f.row(plane, j));
-      extend_inward(
-          plane, fluid.wall_velocity()[component].data() + fluid.extent().wall_face(plane, 0), f);
-    }
-    if (!fluid.span().has_span()) return;
-    f_xi = Field<double>(f.extent());
-    fluid.span().differentiate(f, f_xi);
-  }
-  const Field<double>* slope() const { return f_xi.empty() ? nullptr : &f_xi; }
-};
-
 }  // namespace
 
-std::vector<double> wall_pressure(const Field<double>& p) {
+void find_wall_pressure(const Field<double>& p, std::vector<double>& pressure) {
   const Extent& extent = p.extent();
-  std::vector<double> pressure(extent.wall_faces());
+  pressure.resize(extent.wall_faces());
   for (int plane = 0; plane < extent.planes; ++plane)
     wall_pressure_of(plane, p, pressure.data() + extent.wall_face(plane, 0));
-  return pressure;
 }
 
-WallTraction wall_friction(const Fluid& fluid, const std::vector<Field<double>>& u) {
-  const Extent& extent = fluid.extent();
-  const FaceMetrics<double>& faces = fluid.metrics().rho_faces;
-  const double nu = 1 / fluid.parameters().Re;
-  WallTraction traction;
-  traction.pressure.assign(extent.wall_faces(), 0);
-  traction.friction.assign(extent.wall_faces(), 0);
-  for (std::vector<double>& force : traction.force) force.assign(extent.wall_faces(), 0);
+WallFriction::WallFriction(const Fluid& fluid)
+    : fluid_(fluid), layer_(Extent{fluid.extent().planes, 2, fluid.extent().n_theta}) {
+  if (fluid.span().has_span()) layer_xi_ = Field<double>(layer_.extent());
+  for (std::vector<double>* values : {&traction_.pressure, &traction_.friction, &traction_.force[0],
+                                      &traction_.force[1], &traction_.force[2]})
+    values->assign(fluid.extent().wall_faces(), 0);
+}
+
+const WallTraction& WallFriction::find(const std::vector<Field<double>>& u) {
+  const Extent& extent = fluid_.extent();
+  const FaceMetrics<double>& faces = fluid_.metrics().rho_faces;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!has(fluid, axis)) continue;
-    const WallLayer layer(fluid, u, axis);
+    if (!has(fluid_, axis)) continue;
+    const std::size_t component = component_of[axis];
+    for (int plane = 0; plane < extent.planes; ++plane) {
+      for (int j = 0; j < layer_.extent().n_rho; ++j)
+        std::copy_n(u[component].row(plane, j), extent.n_theta, layer_.row(plane, j));
+      extend_inward(plane, fluid_.wall_velocity()[component].data() + extent.wall_face(plane, 0),
+                    layer_);
+    }
+    if (!layer_xi_.empty()) fluid_.span().differentiate(layer_, layer_xi_);
     for (int plane = 0; plane < extent.planes; ++plane)
-      wall_friction_of(fluid.metrics(), plane, nu, layer.f, layer.slope(),
-                       traction.force[axis].data() + extent.wall_face(plane, 0));
+      wall_friction_of(fluid_.metrics(), plane, 1 / fluid_.parameters().Re, layer_,
+                       layer_xi_.empty() ? nullptr : &layer_xi_,
+                       traction_.force[axis].data() + extent.wall_face(plane, 0));
   }
   for (int plane = 0; plane < extent.planes; ++plane)
     for (int i = 0; i < extent.n_theta; ++i) {
       const std::size_t face = extent.wall_face(plane, i);
       const double A_y = faces.area_y.row(plane, 0)[i], A_z = faces.area_z.row(plane, 0)[i];
       // The tangent of growing theta is (-A_z, A_y)/|A|.
-      traction.friction[face] =
-          (traction.force[2][face] * A_y - traction.force[1][face] * A_z) / (A_y * A_y + A_z * A_z);
+      traction_.friction[face] = (traction_.force[2][face] * A_y - traction_.force[1][face] * A_z) /
+                                 (A_y * A_y + A_z * A_z);
     }
-  return traction;
+  return traction_;
 }
 
 WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
   const Extent& extent = fluid.extent();
   const FaceMetrics<double>& faces = fluid.metrics().rho_faces;
-  WallTraction traction = wall_friction(fluid, state.u);
-  traction.pressure = wall_pressure(state.p);
+  WallTraction traction = WallFriction(fluid).find(state.u);
+  find_wall_pressure(state.p, traction.pressure);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Field<double>& area = area_along(faces, component_of[axis]);
     if (area.empty()) continue;

@@ -28,12 +28,23 @@ struct WallTraction {
   std::vector<double> friction;              ///< shear stress along growing theta, rho_f V^2
 };
 
+/// Finds the friction on the wall, again and again in the same memory.
+class WallFriction {
+ public:
+  explicit WallFriction(const Fluid&);
+
+  /// Of a velocity (components as FluidState::u) about the wall as it moves now; no pressure.
+  const WallTraction& find(const std::vector<Field<double>>& u);
+
+ private:
+  const Fluid& fluid_;
+  Field<double> layer_, layer_xi_;  // the two cells next to the wall, and their derivative by x
+  WallTraction traction_;
+};
+
 WallTraction wall_traction(const Fluid&, const FluidState&);
-/// The part of the friction, of a velocity (components as FluidState::u) about the wall as it moves
-/// now; no pressure.
-WallTraction wall_friction(const Fluid&, const std::vector<Field<double>>& u);
 /// The pressure at the middle of the wall's faces.
-std::vector<double> wall_pressure(const Field<double>& p);
+void find_wall_pressure(const Field<double>& p, std::vector<double>& pressure);
 
 /// The sum over both sides and the span, per unit of x: C_D and C_L are twice its y and z.
 Vector3 total_force(const Fluid&, const WallTraction&);

@@ -81,6 +81,8 @@ EllipticGrid::EllipticGrid(const OGrid& grid)
       r_rho_(corners_.size()),
       r_theta_(corners_.size()),
       weight_(edge_weights(grid)),
+      part_y_(static_cast<std::size_t>(grid.n_theta())),
+      part_z_(part_y_.size()),
       acceleration_(corners_.size(), depth_of_acceleration) {
   for (int j = 1; j < grid.n_rho(); ++j)
     along_rho_.push_back(differences(grid.rho_step(j - 1), grid.rho_step(j)));
@@ -270,14 +272,13 @@ EllipticGridSummary EllipticGrid::follow(int plane, const double* y, const doubl
       for (Field<double>* d : {&displacement.y, &displacement.z})
         std::fill_n(d->row(plane, j) - Field<double>::ghosts, n_theta + 2 * Field<double>::ghosts,
                     0.0);
-    std::vector<double> part_y(static_cast<std::size_t>(n_theta)), part_z(part_y.size());
     summary.least_area = 1;
     for (int part = 1; part <= parts && summary.least_area > 0; ++part) {
-      for (std::size_t i = 0; i < part_y.size(); ++i) {
-        part_y[i] = y[i] * part / parts;
-        part_z[i] = z[i] * part / parts;
+      for (std::size_t i = 0; i < part_y_.size(); ++i) {
+        part_y_[i] = y[i] * part / parts;
+        part_z_[i] = z[i] * part / parts;
       }
-      move_wall(plane, part_y.data(), part_z.data(), displacement);
+      move_wall(plane, part_y_.data(), part_z_.data(), displacement);
       summary = relax(plane, displacement, part < parts ? coarse_tolerance : tolerance,
                       most_passes_of_part);
     }

@@ -90,7 +90,8 @@ class EllipticGrid {
   SeparableSolver flat_;
   Eigen::VectorXd corners_, change_, before_;  // the inner corners' y, then z
   Eigen::VectorXd r_rho_, r_theta_;            // in the same order
-  Eigen::VectorXd weight_;  // of the residual: less than 1 at the edges of the flag
+  Eigen::VectorXd weight_;               // of the residual: less than 1 at the edges of the flag
+  std::vector<double> part_y_, part_z_;  // of the flag's displacement, where it is too far at once
   Anderson acceleration_;
 };
 

@@ -4,15 +4,23 @@
 #include <algorithm>
 
 namespace pennon::dns {
+namespace {
+
+constexpr int most_depth = Anderson::most_depth;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_depth, 1>;
+using SmallMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_depth, most_depth>;
+
+}  // namespace
 
 Anderson::Anderson(Eigen::Index n, int depth)
-    : next_differences_(n, depth),
-      f_differences_(n, depth),
-      products_(depth, depth),
+    : next_differences_(n, std::min(depth, most_depth)),
+      f_differences_(n, next_differences_.cols()),
+      products_(next_differences_.cols(), next_differences_.cols()),
       last_next_(n),
       last_f_(n),
-      right_(depth),
-      last_right_(depth) {}
+      right_(next_differences_.cols()),
+      last_right_(next_differences_.cols()) {}
 
 void Anderson::advance(Eigen::Ref<Eigen::VectorXd> x, const Eigen::Ref<const Eigen::VectorXd>& f) {
   const int depth = static_cast<int>(f_differences_.cols());
@@ -37,11 +45,11 @@ void Anderson::advance(Eigen::Ref<Eigen::VectorXd> x, const Eigen::Ref<const Eig
   if (kept_ == 0) return;
   // Normal equations, scaled to a unit diagonal; their rank is decided by pivoting.
   const auto gram = products_.topLeftCorner(kept_, kept_);
-  const Eigen::VectorXd scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * gram * scale.asDiagonal();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(scaled);
+  const SmallVector scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const SmallMatrix scaled = scale.asDiagonal() * gram * scale.asDiagonal();
+  Eigen::ColPivHouseholderQR<SmallMatrix> factors(scaled);
   factors.setThreshold(1e-12);
-  const Eigen::VectorXd weights =
+  const SmallVector weights =
       scale.cwiseProduct(factors.solve(scale.cwiseProduct(right_.head(kept_))));
   x.noalias() -= next_differences_.leftCols(kept_) * weights;
 }

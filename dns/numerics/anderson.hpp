@@ -9,7 +9,10 @@ namespace pennon::dns {
 
 class Anderson {
  public:
-  /// Keeps the differences to `depth` earlier iterates of n numbers.
+  /// The small systems of more differences would need memory in every step.
+  static constexpr int most_depth = 30;
+
+  /// Keeps the differences to `depth` earlier iterates of n numbers, to most_depth at most.
   Anderson(Eigen::Index n, int depth);
 
   /// Forgets the earlier iterates.
