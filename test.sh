@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the lint check and then the tests. ./test.sh LABEL runs
 # what has one label only: lint, unit, verification, regression, or validation, which is left out
-# otherwise because it takes long. With PENNON_SETUP_ONLY=1 in the environment it stops after the
-# build.
+# otherwise because it takes long. ./test.sh kernels runs the tests once under each of several
+# kernels of OpenBLAS that this processor can execute, about three minutes each: rounding differs
+# between them, so a bound that fails elsewhere fails here. It is run before every release. With
+# PENNON_SETUP_ONLY=1 in the environment test.sh stops after the build.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 source cmake/setup.sh
@@ -13,7 +15,53 @@ run_tests() { ctest --preset release --no-tests=error --parallel 2 "$@"; }
 
 known_labels() { ctest --test-dir build --print-labels | sed -n 's/^  *\([a-z]*\)$/\1/p'; }
 
-(($# <= 1)) || fail "usage: ./test.sh [LABEL]"
+# What /proc/cpuinfo lists of a processor that can execute the kernel.
+instructions_of() {
+  case $1 in
+    Prescott) echo pni ;;
+    Nehalem) echo sse4_2 ;;
+    Haswell | Zen) echo avx2 fma ;;
+    SkylakeX) echo avx512f avx512dq avx512bw avx512vl ;;
+  esac
+}
+
+missing_instructions() {
+  local instruction
+  for instruction in $(instructions_of "$1"); do
+    grep --quiet "^flags.* $instruction\\( \\|$\\)" /proc/cpuinfo || echo "$instruction"
+  done
+}
+
+# Whether the BLAS that the tests are linked with takes this kernel when it is asked to.
+blas_takes() {
+  OPENBLAS_CORETYPE=$1 OPENBLAS_VERBOSE=2 build/tests/test_global_eigensolver --gtest_list_tests 2>&1 |
+    grep --line-regexp "Core: $1" >/dev/null
+}
+
+run_under_kernels() {
+  local kernel missing passed=() failed=()
+  [[ $(uname --machine) == x86_64 ]] ||
+    fail "the kernels that test.sh knows are those of x86-64, and this is $(uname --machine)"
+  for kernel in Prescott Nehalem Haswell Zen SkylakeX; do
+    missing=$(missing_instructions "$kernel" | xargs)
+    if [[ -n $missing ]]; then
+      say "$kernel is left out: this processor lacks $missing"
+      continue
+    fi
+    blas_takes "$kernel" ||
+      fail "BLAS does not take the kernel $kernel: it is not an OpenBLAS with several kernels"
+    say "the tests under OpenBLAS's kernel $kernel"
+    if OPENBLAS_CORETYPE=$kernel run_tests --label-exclude '^validation$'; then
+      passed+=("$kernel")
+    else
+      failed+=("$kernel")
+    fi
+  done
+  say "passed under: ${passed[*]:-none}"
+  ((${#failed[@]} == 0)) || fail "failed under: ${failed[*]}"
+}
+
+(($# <= 1)) || fail "usage: ./test.sh [LABEL | kernels]"
 set_up
 [[ ${PENNON_SETUP_ONLY:-0} != 1 ]] || exit 0
 
@@ -24,9 +72,10 @@ case $label in
     run_tests --label-exclude '^validation$'
     ;;
   lint) lint ;;
+  kernels) run_under_kernels ;;
   *)
     known_labels | grep --quiet --line-regexp --fixed-strings -- "$label" ||
-      fail "no test has the label $label; there are: lint $(known_labels | xargs)"
+      fail "no test has the label $label; there are: lint kernels $(known_labels | xargs)"
     run_tests --label-regex "^$label\$"
     ;;
 esac

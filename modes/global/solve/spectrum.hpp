@@ -32,15 +32,17 @@ void normalise(const Pencil&, Eigenpair&);
 /// and the residuals.
 double biorthogonality_defect(const Pencil&, const std::vector<Eigenpair>&);
 
-/// Makes p_i^H B q_j = 0, i != j, to rounding, by Gram and Schmidt's method for two sets of
-/// vectors, and finds all residuals anew. Nothing is done where one has no adjoint. Precondition:
-/// normalised.
+/// Makes p_i^H B q_j = 0, i != j, to rounding, and finds all residuals anew. Nothing is done where
+/// one has no adjoint. Precondition: normalised.
 ///
 /// p^H B q = 1 makes the adjoints of damped modes large, for these are nearly orthogonal to their
 /// modes: sqrt(p^H B p) is 22 for a flag's first mode and 2e4 for its sixth. What Krylov's space
 /// leaves in such a p, 1e-12 of it and most along the adjoint next to the target, is then no longer
-/// small beside 1. So the pairs are taken by growing |p|: a large p gives up what it holds of
-/// smaller ones, and the other way round q does; either changes by a small part of itself.
+/// small beside 1. The residuals tell what each mode and each adjoint holds of the others; among
+/// pairs with |p| |B q| < 1e4 that is taken out, and the eigenvalues are corrected, to first order.
+/// What is left goes by Gram and Schmidt's method for two sets of vectors, by growing |p|: a large
+/// p gives up what it holds of smaller ones, and the other way round q does; either changes by a
+/// small part of itself.
 void biorthogonalise(const Pencil&, std::vector<Eigenpair>&);
 
 /// Gives the pair, whose eigenvalue is that of p, its adjoint.
