@@ -17,7 +17,7 @@ namespace pennon::modes {
 
 using ExtendedSparse = Eigen::SparseMatrix<Extended>;
 
-struct Pencil {
+struct GeneralisedEigenproblem {
   ExtendedSparse E;  ///< at each point what the energies are made of, from the unknowns
   ExtendedSparse S;  ///< energy densities times quadrature weights
   ExtendedSparse R;  ///< mass densities times quadrature weights
@@ -38,6 +38,7 @@ inline constexpr double largest_residual = 1e-10;
 /// Preconditions: 0 < count < E.cols(). The same input gives the same bits.
 /// Throws SolverError, which begins with `what`, if K + s M is not definite, fewer than `count`
 /// converge, or a residual exceeds `largest_residual`.
-Eigenpairs lowest_eigenpairs(const Pencil&, int count, double shift, const std::string& what);
+Eigenpairs lowest_eigenpairs(const GeneralisedEigenproblem&, int count, double shift,
+                             const std::string& what);
 
 }  // namespace pennon::modes
