@@ -35,9 +35,9 @@ void write_csv(const Curve&, const std::filesystem::path&);
 /// and labels. Throws FileError.
 void write_lines(const Curve&, hdf5::Writer&);
 
-/// The same as HDF5, with what a picture needs: kind = "lsa_curve". `marks`: see lsa/marks.hpp.
-/// Throws FileError.
-void write_hdf5(const Curve&, const std::vector<Outcome>& marks, bool cross_flow,
+/// The same as HDF5, with what a picture needs: kind = "lsa_curve". `outcomes`: see
+/// lsa/outcome_points.hpp. Throws FileError.
+void write_hdf5(const Curve&, const std::vector<Outcome>& outcomes, bool cross_flow,
                 const std::filesystem::path&);
 
 }  // namespace pennon::lsa

@@ -37,7 +37,7 @@ struct MapSummary {
 /// neutral curve to `folder`/neutral.csv. Threads share the rows; the results do not depend on
 /// their number. Memory: two axes and 64 MB. Throws FileError, SolverError, Interrupted.
 MapSummary compute_map(const MapSettings&, const Point&, const Theory&,
-                       const std::vector<Outcome>& marks, const OutputFolder& folder,
+                       const std::vector<Outcome>& outcomes, const OutputFolder& folder,
                        bool shows_progress);
 
 }  // namespace pennon::lsa
