@@ -16,14 +16,14 @@ struct PlaneWindow {
 /// mean of the cells about them; NaN outside the grid. `points`: (y, z) of the corners, or (x, y,
 /// z), in the first plane of ... [n_rho + 1][n_theta + 1]; `values`: at the cells of the first
 /// plane of ... [n_rho][n_theta], around the whole flag.
-Field plane_section(const hdf5::Array& points, const hdf5::Array& values, const PlaneWindow&);
+FigureField plane_section(const hdf5::Array& points, const hdf5::Array& values, const PlaneWindow&);
 
 /// Colours end where this share of the values is: at the wall they are far above what is in the
 /// wake.
-void clip_to_most(Field&, double share = 0.98);
+void clip_to_most(FigureField&, double share = 0.98);
 
 /// The figure of a field: its window, and the flag as a line along the wall's upper side.
-Figure figure_of_section(Field field, const hdf5::Array& points, std::size_t n_theta,
+Figure figure_of_section(FigureField field, const hdf5::Array& points, std::size_t n_theta,
                          const PlaneWindow&);
 
 }  // namespace pennon::analysis

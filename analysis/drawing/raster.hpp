@@ -17,7 +17,7 @@ struct Raster {
 /// Samples the field at the pixels' centres, bilinearly in the coordinates as drawn; where a corner
 /// of the cell is NaN, at its nearest node. Needs a value for each pair of grid lines, which must
 /// be positive along a logarithmic axis.
-Raster raster(const Field&, const FigureAxis& x, const FigureAxis& y, std::size_t columns,
+Raster raster(const FigureField&, const FigureAxis& x, const FigureAxis& y, std::size_t columns,
               std::size_t rows);
 
 }  // namespace pennon::analysis

@@ -65,7 +65,7 @@ std::size_t thinning(std::size_t nodes) {
 
 // Blanks what does not grow, but for the nodes next to those that do, so that the colours reach the
 // neutral curve.
-void leave_stable_side_white(Field& field) {
+void leave_stable_side_white(FigureField& field) {
   const std::size_t width = field.x.size();
   const std::size_t height = field.y.size();
   const std::vector<double> growth = field.values;
@@ -80,14 +80,15 @@ void leave_stable_side_white(Field& field) {
       if (!grows_near(i, j)) field.values[j * width + i] = none;
 }
 
-Field field_of(const hdf5::Reader& file) {
+FigureField field_of(const hdf5::Reader& file) {
   const std::string name = file.text("/", "picture");
   const std::string array = "/fields/" + name;
   const hdf5::Shape shape = file.shape(array);
   const hdf5::Shape strides = {thinning(shape[0]), thinning(shape[1])};
-  Field field{file.read_every("/x", {strides[1]}).values,
-              file.read_every("/y", {strides[0]}).values, file.read_every(array, strides).values,
-              file.text(array, "label"), file.number(array, "is_signed", 0) != 0};
+  FigureField field{file.read_every("/x", {strides[1]}).values,
+                    file.read_every("/y", {strides[0]}).values,
+                    file.read_every(array, strides).values, file.text(array, "label"),
+                    file.number(array, "is_signed", 0) != 0};
   if (name == "growth") leave_stable_side_white(field);
   return field;
 }
