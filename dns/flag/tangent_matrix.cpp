@@ -92,9 +92,9 @@ class TangentMatrix<dim>::Band {
 //
 // Solved by Cholesky factors of the symmetric part S where that is positive definite: at once if
 // the matrix is symmetric, else by the iteration of Concus & Golub (1976) and Widlund (1978) for
-// A = S + N with N^T = -N, which needs one solution with S a turn and converges whatever N. The
-// turns are few where N is small, as it is for a step that resolves the motion; where they are
-// many, and where S is not definite, LU factors of the matrix take over.
+// A = S + N with N^T = -N, which solves with S once in an iteration and converges whatever N is.
+// The iterations are few where N is small, as it is for a step that resolves the motion; where they
+// are many, and where S is not definite, LU factors of the matrix take over.
 template <int dim>
 class TangentMatrix<dim>::Sparse {
  public:
@@ -169,9 +169,9 @@ class TangentMatrix<dim>::Sparse {
     cholesky_->solve(b, solution_);
     return true;
   }
-  // With z = S^-1 (b - A x) and its square z.S z the turns are x_1 = z_0,
+  // With z = S^-1 (b - A x) and its square z.S z the iterates are x_1 = z_0,
   // x_k+1 = x_k-1 + w (x_k - x_k-1 + z_k), 1/w = 1 + z_k.S z_k/(z_k-1.S z_k-1)/(the last w).
-  // Ends with the turn after which z will be small if it shrinks as badly as in the last two.
+  // Ends with the iteration after which z will be small if it shrinks as badly as in the last two.
   bool iterate(const Eigen::VectorXd& b) {
     previous_.setZero(b.size());
     solution_.setZero(b.size());
@@ -179,26 +179,27 @@ class TangentMatrix<dim>::Sparse {
     double first_square = 0;
     double last_square = 0;
     double last_ratio = 0;
-    for (int turn = 0; turn < most_turns; ++turn) {
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
       matrix_.evaluate_residual(solution_, b, residual_);
       cholesky_->solve(residual_, correction_);
       const double square = correction_.dot(residual_);
       if (square <= 0) return square == 0;
-      if (turn == 0) first_square = last_square = square;
+      if (iteration == 0) first_square = last_square = square;
       const double ratio = square / last_square;
-      if (turn > 0) w = 1 / (1 + ratio / w);
+      if (iteration > 0) w = 1 / (1 + ratio / w);
       previous_ += w * (solution_ - previous_ + correction_);
       previous_.swap(solution_);
       const double next_square = square * std::max(ratio, last_ratio);
-      if (turn > 0 && next_square <= solution_error * solution_error * first_square) return true;
+      if (iteration > 0 && next_square <= solution_error * solution_error * first_square)
+        return true;
       last_square = square;
-      last_ratio = turn > 0 ? ratio : 0;
+      last_ratio = iteration > 0 ? ratio : 0;
     }
     return false;
   }
 
-  // Beyond as many, factoring anew is cheaper.
-  static constexpr int most_turns = 20;
+  // Where more would be needed, LU factors are cheaper.
+  static constexpr int most_iterations = 20;
 
   std::vector<int> node_rows_, node_columns_;
   CompressedColumns matrix_;

@@ -62,7 +62,7 @@ TEST(TangentMatrix, IsSolvedByTurnsWhereItIsNotSymmetric) {
     const auto tangent = tangent_of(flag, start, start + noise(flag, change, 2), 1e3);
     ASSERT_TRUE(tangent->factor_if_definite()) << change;
     const double error = error_of_solution(*tangent, flag, symmetric_part(*tangent));
-    EXPECT_GT(error, 0) << change << ": the matrix is symmetric, and no turn is needed";
+    EXPECT_GT(error, 0) << change << ": the matrix is symmetric, and no iteration is needed";
     EXPECT_LT(error, TangentMatrix<3>::solution_error) << change;
   }
 }
@@ -80,7 +80,7 @@ TEST(TangentMatrix, IsSolvedWhereItIsNotDefinite) {
             roundoff);
 }
 
-// So far from symmetric that the turns would be many: 1 on the diagonal, 1000, 2000, 3000 and their
+// So far from symmetric that the iterations would be many: 1 on the diagonal, 1000, 2000, 3000 and their
 // negatives off it.
 TEST(TangentMatrix, IsSolvedHoweverFarFromSymmetric) {
   TangentMatrix<3> tangent({false, false}, {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
