@@ -55,7 +55,7 @@ TEST(TangentMatrix, IsSolvedAtOnceWhereItIsSymmetricAndDefinite) {
   EXPECT_LT(error_of_solution(*tangent, flag, symmetric_part(*tangent)), roundoff);
 }
 
-TEST(TangentMatrix, IsSolvedByTurnsWhereItIsNotSymmetric) {
+TEST(TangentMatrix, IsSolvedByIterationWhereItIsNotSymmetric) {
   const Flag<3> flag(mesh, {1, 0.01, 100, 0.3, 0});
   const NodeVectors<3> start = flag.rest();
   for (const double change : {1e-4, 1e-3, 1e-2}) {
@@ -80,8 +80,8 @@ TEST(TangentMatrix, IsSolvedWhereItIsNotDefinite) {
             roundoff);
 }
 
-// So far from symmetric that the iterations would be many: 1 on the diagonal, 1000, 2000, 3000 and their
-// negatives off it.
+// So far from symmetric that the iterations would be many: 1 on the diagonal, 1000, 2000, 3000 and
+// their negatives off it.
 TEST(TangentMatrix, IsSolvedHoweverFarFromSymmetric) {
   TangentMatrix<3> tangent({false, false}, {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
   tangent.set_zero();
