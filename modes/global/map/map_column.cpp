@@ -34,8 +34,8 @@ class Tracer {
   bool step(std::size_t m) {
     auto mode = followed(F_, flag_, before_, last_, mu_[m]);
     if (!mode) return false;
-    std::optional<ColumnMode>& most = column_.most[m];
-    if (!most || mode->lambda.real() > most->mode.lambda.real()) most = {window_, *mode};
+    std::optional<ColumnMode>& leading = column_.leading[m];
+    if (!leading || mode->lambda.real() > leading->mode.lambda.real()) leading = {window_, *mode};
     // A neutral mode next to this mass ratio is too near to tell how the curve bends.
     if (std::abs(last_.mu - mu_[m]) > nearest * mu_[m]) before_ = std::move(last_);
     last_ = {mu_[m], std::move(*mode)};
@@ -75,7 +75,7 @@ MapColumn map_column(const std::vector<ResponseInWindow>& responses, const FlagO
                      const std::vector<double>& mu, const Interval& mu_of_modes,
                      const AcceptNeutral& is_accepted, const MapColumn* known) {
   MapColumn column;
-  column.most.resize(mu.size());
+  column.leading.resize(mu.size());
   for (std::size_t window = 0; window < responses.size(); ++window) {
     const ResponseInWindow& response = responses[window];
     std::vector<NeutralMode> neutral;

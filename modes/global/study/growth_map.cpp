@@ -62,9 +62,9 @@ class Map {
   void take(const MapColumn& column, std::size_t i) {
     for (const ColumnNeutral& neutral : column.neutral) map_.neutral[i].push_back(neutral.mu);
     for (std::size_t m = 0; m < map_.mu.size(); ++m)
-      if (const std::optional<ColumnMode>& most = column.most[m]) {
-        map_.growth[m][i] = most->mode.lambda.real();
-        map_.omega[m][i] = most->mode.lambda.imag();
+      if (const std::optional<ColumnMode>& leading = column.leading[m]) {
+        map_.growth[m][i] = leading->mode.lambda.real();
+        map_.omega[m][i] = leading->mode.lambda.imag();
       }
   }
 
