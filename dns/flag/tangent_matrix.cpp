@@ -200,11 +200,11 @@ class TangentMatrix<dim>::Sparse {
 };
 
 template <int dim>
-TangentMatrix<dim>::TangentMatrix(const std::vector<bool>& is_held,
-                                  const std::vector<std::pair<int, int>>& coupled) {
-  for (std::size_t node = 0; node < is_held.size(); ++node) {
-    number_.push_back(is_held[node] ? -1 : static_cast<int>(free_.size()));
-    if (!is_held[node]) free_.push_back(static_cast<int>(node));
+TangentMatrix<dim>::TangentMatrix(HeldNodes held, const std::vector<std::pair<int, int>>& coupled)
+    : held_(std::move(held)) {
+  for (int node = 0; node < held_.nodes(); ++node) {
+    number_.push_back(held_.contains(node) ? -1 : static_cast<int>(free_.size()));
+    if (!held_.contains(node)) free_.push_back(node);
   }
   for (const auto& [p, q] : coupled) {
     const int row = number_[static_cast<std::size_t>(p)];
@@ -257,12 +257,6 @@ bool TangentMatrix<dim>::factor() {
 template <int dim>
 bool TangentMatrix<dim>::factor_if_definite() {
   return storage_->factor_if_definite();
-}
-
-template <int dim>
-void TangentMatrix<dim>::clear_held(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) const {
-  for (std::size_t node = 0; node < number_.size(); ++node)
-    if (number_[node] < 0) vectors.col(static_cast<Eigen::Index>(node)).setZero();
 }
 
 template <int dim>

@@ -83,7 +83,7 @@ TEST(TangentMatrix, IsSolvedWhereItIsNotDefinite) {
 // So far from symmetric that the iterations would be many: 1 on the diagonal, 1000, 2000, 3000 and
 // their negatives off it.
 TEST(TangentMatrix, IsSolvedHoweverFarFromSymmetric) {
-  TangentMatrix<3> tangent({false, false}, {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
+  TangentMatrix<3> tangent(HeldNodes({false, false}), {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
   tangent.set_zero();
   const Eigen::Matrix3d skew = Eigen::Vector3d(1e3, 2e3, 3e3).asDiagonal();
   for (const int node : {0, 1}) tangent.add(node, node, Eigen::Matrix3d::Identity());
