@@ -19,8 +19,8 @@ inline constexpr std::size_t axis_count = 8;
 const std::string& name(Axis);
 /// What it means, for files: "mass ratio rho_s h/(rho_f L)".
 const std::string& meaning(Axis);
-/// For pictures, in gnuplot's markup.
-const std::string& label(Axis);
+/// How it is written in formulas, as plain text: "k_x L".
+const std::string& symbol(Axis);
 const Range& range(Axis);
 
 double value(const Point&, Axis);

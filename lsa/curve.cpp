@@ -66,12 +66,12 @@ void write_lines(const Curve& curve, hdf5::Writer& file) {
   std::vector<double> values;
   for (const auto& row : curve.values) values.insert(values.end(), row.begin(), row.end());
   file.write("/values", {curve.family.size(), curve.x.size()}, values,
-             {{"name", shown.name}, {"meaning", shown.meaning}, {"label", shown.label}});
+             {{"name", shown.name}, {"meaning", shown.meaning}, {"symbol", shown.symbol}});
   if (curve.family_axis)
     file.write("/family", {curve.family.size()}, curve.family,
                {{"name", name(*curve.family_axis)},
                 {"meaning", meaning(*curve.family_axis)},
-                {"label", label(*curve.family_axis)}});
+                {"symbol", symbol(*curve.family_axis)}});
 }
 
 void write_hdf5(const Curve& curve, const std::vector<Outcome>& outcomes, bool cross_flow,

@@ -32,7 +32,7 @@ Curve compute(const CurveSettings& settings, const Point& point, const Theory&);
 void write_csv(const Curve&, const std::filesystem::path&);
 
 /// Writes /x, /values [family][x] and, if there is a family, /family, with their names, meanings
-/// and labels. Throws FileError.
+/// and symbols. Throws FileError.
 void write_lines(const Curve&, hdf5::Writer&);
 
 /// The same as HDF5, with what a picture needs: kind = "lsa_curve". `outcomes`: see

@@ -116,7 +116,7 @@ void declare_fields(hdf5::Writer& file, const MapSettings& settings, const MapAx
     file.declare("/fields/" + field, {axes.y.size(), axes.x.size()},
                  {{"name", q.name},
                   {"meaning", q.meaning},
-                  {"label", q.label},
+                  {"symbol", q.symbol},
                   {"is_signed", std::int64_t(q.is_signed)}});
   }
 }

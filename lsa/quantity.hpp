@@ -12,7 +12,7 @@ namespace pennon::lsa {
 struct Quantity {
   std::string name;
   std::string meaning;  ///< with its equation and unit
-  std::string label;    ///< for pictures, in gnuplot's markup
+  std::string symbol;   ///< how it is written in formulas, as plain text: "ω_r^+"
   bool is_signed;       ///< zero is a border worth showing
   double (*at)(const Point&, const Theory&);
   Lanes StabilityBatch::*lanes;  ///< null: only along curves
