@@ -1,12 +1,12 @@
 /// A linear system without a matrix, by PETSc's Krylov methods: A x = b with a preconditioner M^-1.
 ///
 /// GMRES keeps a basis of up to `restart` + 2 vectors as long as the solver lives. The fluid has
-/// three solvers that never run at the same time, and their bases would be most of its memory. So
-/// solvers may share a KrylovSpace, in which they keep these vectors one after the other: PETSc
-/// creates a vector of a solver by duplicating another one, and here the duplicate takes its
+/// three solvers that never run at the same time; kept apart, their bases would take twice the
+/// memory. So solvers may share a KrylovSpace, in which they keep these vectors one after the other:
+/// PETSc creates a vector of a solver by duplicating another one, and here the duplicate takes its
 /// numbers from the space instead of the heap (krylov.cpp). PETSc has no setting for that. To free
-/// the vectors after each solution (KSPReset) would need no space of our own, but would allocate
-/// and clear them anew in each time step.
+/// the vectors after each solution (KSPReset) would need no space of our own, but would allocate and
+/// clear them anew in each time step.
 #pragma once
 
 #include <cstddef>
