@@ -7,7 +7,7 @@
 
 namespace pennon::lsa {
 
-/// name, meaning, symbol and scale: "log" or "linear".
+/// The attributes name, meaning, symbol and scale, which is "log" or "linear".
 inline hdf5::Attributes attributes(Axis axis, Scale scale) {
   return {{"name", name(axis)},
           {"meaning", meaning(axis)},
