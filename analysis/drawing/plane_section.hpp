@@ -7,7 +7,7 @@
 
 namespace pennon::analysis {
 
-/// What of the plane is shown, in L.
+/// The part of the plane that is shown, in L.
 struct PlaneWindow {
   double y_low, y_high, z_low, z_high;
 };
@@ -18,8 +18,8 @@ struct PlaneWindow {
 /// plane of ... [n_rho][n_theta], around the whole flag.
 FigureField plane_section(const hdf5::Array& points, const hdf5::Array& values, const PlaneWindow&);
 
-/// Colours end where this share of the values is: at the wall they are far above what is in the
-/// wake.
+/// Clips the values to the size that this share of them does not exceed. Without it the colours
+/// would show nothing but the wall, where values are far larger than in the wake.
 void clip_to_most(FigureField&, double share = 0.98);
 
 /// The figure of a field: its window, and the flag as a line along the wall's upper side.
