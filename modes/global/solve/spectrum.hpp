@@ -39,9 +39,9 @@ double biorthogonality_defect(const Pencil&, const std::vector<Eigenpair>&);
 /// p^H B q = 1 makes the adjoints of damped modes large, for these are nearly orthogonal to their
 /// modes: sqrt(p^H B p) is 22 for a flag's first mode and 2e4 for its sixth. The Krylov method
 /// leaves an error of 1e-12 of such a p, mostly along the adjoint next to the target, and that is
-/// not small beside 1. So the pairs are taken by increasing |p|: from a large p the components
-/// along smaller ones are removed, from a q those along the modes of larger ones, and either
-/// changes by a small part of itself.
+/// not small beside 1. So the pairs are taken by increasing |p|: from p and q of each the
+/// components along the pairs before it are removed, which changes either by a small part of
+/// itself.
 void biorthogonalise(const Pencil&, std::vector<Eigenpair>&);
 
 /// Makes p, an adjoint with the pair's eigenvalue, that of the pair, and computes its residual.

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "common/errors.hpp"
+#include "modes/global/map/check_places.hpp"
 #include "modes/global/map/flag_basis.hpp"
 #include "modes/global/map/reduced_map.hpp"
 #include "modes/global/solve/aerodynamic_matrix.hpp"
@@ -83,6 +85,19 @@ TEST(GlobalRationalFit, InABasisIsTheProjectionOfItsValuesAndSlopes) {
     EXPECT_LT((small.derivative(s, x) - V.adjoint() * fit.derivative(s, V * x)).norm(),
               1e-12 * fit(s).norm());
   }
+}
+
+TEST(EvenlyChosen, HasBothEndsAndEqualSteps) {
+  EXPECT_EQ(evenly_chosen(13, 4), (std::vector<std::size_t>{0, 4, 8, 12}));
+  EXPECT_EQ(evenly_chosen(3, 8), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(evenly_chosen(1, 3), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(evenly_chosen(0, 3).empty());
+}
+
+TEST(GlobalReducedMap, FailsWhereTheFitWouldNeedMoreSamplesThanItMayTake) {
+  SmallMap small;
+  small.wanted.heuristics.most_samples = 10;
+  EXPECT_THROW(small.find(), SolverError);
 }
 
 TEST(GlobalReducedMap, HasTheModesOfTheWholeOperatorAtItsEndsAndAtRandomPoints) {
