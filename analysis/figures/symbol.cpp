@@ -1,5 +1,6 @@
 #include "analysis/figures/symbol.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace pennon::analysis {
@@ -11,6 +12,11 @@ bool is_letter(char c) {
 }
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
+}
+
+// In UTF-8: a byte that continues a character begins with the bits 10.
+std::ptrdiff_t characters(std::string_view text) {
+  return std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; });
 }
 
 class SymbolReader {
@@ -68,7 +74,7 @@ class SymbolReader {
       if (take('_')) {
         const std::string_view index =
             take_while([](char c) { return is_letter(c) || is_digit(c); });
-        if (index.size() > 1)
+        if (characters(index) > 1)
           word = index;
         else
           (italic += '_') += index;

@@ -30,7 +30,7 @@ class MapModel {
   const MapTask task;
   std::vector<CheckedFit> fits;  ///< of each window
   FlagBasis basis;
-  std::vector<MapColumn> columns;  ///< one for each flag; empty until it is found
+  std::vector<MapColumn> columns;  ///< one for each flag; empty until find() has found it
 
   /// Finds the modes of these columns with the fits and the basis as they are, by several threads.
   /// With `starts_from_known` the search begins at the neutral modes that a column has; else it is
@@ -41,11 +41,13 @@ class MapModel {
   std::vector<MapPlace> places(const std::vector<std::size_t>& these_columns,
                                std::size_t window) const;
   bool has_mode(const MapPlace&, std::size_t window) const;
-  /// The leading mode at a place that has one: small, and with the shape of the whole flag.
+  /// The leading mode at a place that has one, with its shape in the basis.
   const FlagMode& small_mode(const MapPlace& place) const {
     return columns[place.column].leading[place.m]->mode;
   }
+  /// The same with the shape of the whole flag.
   FlagMode mode(const MapPlace& place) const { return whole(small_mode(place)); }
+  /// A neutral mode whose shape in the basis is `a`, with the shape of the whole flag.
   FlagMode neutral_mode_of_whole_flag(double omega, const Eigen::VectorXcd& a) const {
     return whole({std::complex<double>(0, omega), a, 0});
   }

@@ -23,6 +23,7 @@ TEST(SymbolText, HasVariablesInItalics) {
 
 TEST(SymbolText, HasAnIndexOfOneLetterInItalicsAndAWordUpright) {
   EXPECT_EQ(symbol_text("ν_s"), "{/:Italic ν_s}");
+  EXPECT_EQ(symbol_text("K_θ"), "{/:Italic K_θ}");
   EXPECT_EQ(symbol_text("k_x L"), "{/:Italic k_x L}");
   EXPECT_EQ(symbol_text("μ_cr"), "{/:Italic μ}_{cr}");
 }
