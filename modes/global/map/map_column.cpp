@@ -6,7 +6,7 @@
 namespace pennon::modes::global {
 namespace {
 
-// Keeps what it follows where it grows most.
+// Follows modes over the mass ratios and keeps the one that leads at each.
 class Tracer {
  public:
   Tracer(const ResponseInWindow& response, std::size_t window, const FlagOperator& flag,
@@ -53,10 +53,11 @@ class Tracer {
   FollowedMode last_{};
 };
 
-// Those known, found again; none where one is lost.
+// The neutral modes of the known column as they are with this response; none where one of them is
+// not found again.
 std::vector<NeutralMode> found_again(const ResponseInWindow& response, std::size_t window,
                                      const FlagOperator& flag, const MapColumn& known) {
-  constexpr double same = 0.01;  // of omega, and of the logarithm of mu
+  constexpr double same = 0.01;  // in omega, and relatively in mu
   std::vector<NeutralMode> found;
   for (const ColumnNeutral& before : known.neutral) {
     if (before.window != window) continue;
