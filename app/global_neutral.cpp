@@ -16,7 +16,7 @@
 #include "common/io/hdf5.hpp"
 #include "lsa/axis_attributes.hpp"
 #include "lsa/curve.hpp"
-#include "lsa/marks.hpp"
+#include "lsa/outcome_points.hpp"
 #include "lsa/outcomes.hpp"
 
 namespace pennon::app {
@@ -115,7 +115,7 @@ void write_local_theory(const Case& the_case, const std::vector<double>& values,
 // number of the case.
 void write_marks(const Case& the_case, CurveParameter over, hdf5::Writer& file) {
   if (!the_case.lsa.marks.is_given) return;
-  lsa::Marks marks;
+  lsa::OutcomePoints marks;
   for (const lsa::Outcome& outcome : lsa::read_outcomes(the_case.lsa.marks.table)) {
     constexpr double same = 1e-9;
     const bool is_of_this_wave = std::abs(outcome.k_x() - *the_case.global_modes.k_x) < same;

@@ -8,7 +8,7 @@
 #include <list>
 
 #include "modes/global/map/reduced_map.hpp"
-#include "modes/global/study/station.hpp"
+#include "modes/global/study/linearisation.hpp"
 
 namespace {
 
@@ -19,9 +19,9 @@ class StiffnessMap {
  public:
   StiffnessMap()
       : settings_(settings()),
-        stations_(flag_, {.Re = 1000}, settings_, CurveParameter::K_B, umfpack_factors()),
-        station_(stations_.at(flag_.K_B)) {
-    for (const double K_B : logarithmic(1e-5, 1e-2)) flags_.push_back(stations_.flag_at(K_B));
+        linearisations_(flag_, {.Re = 1000}, settings_, CurveParameter::K_B, umfpack_factors()),
+        linearisation_(linearisations_.at(flag_.K_B)) {
+    for (const double K_B : logarithmic(1e-5, 1e-2)) flags_.push_back(linearisations_.flag_at(K_B));
   }
 
   ReducedMap find() {
@@ -55,13 +55,13 @@ class StiffnessMap {
   Eigen::MatrixXcd response(std::complex<double> lambda) {
     for (const MatrixSample& sample : known_)
       if (sample.lambda == lambda) return sample.F;
-    return known_.emplace_back(MatrixSample{lambda, station_.F.at(lambda)}).F;
+    return known_.emplace_back(MatrixSample{lambda, linearisation_.F.at(lambda)}).F;
   }
 
   FlagParameters flag_{.mu = 1, .K_B = 1e-4, .gamma = {}};
   Settings settings_;
-  Stations stations_;
-  Station station_;
+  Linearisations linearisations_;
+  Linearisation linearisation_;
   std::vector<FlagOperator> flags_;
   std::list<MatrixSample> known_;
 };

@@ -28,7 +28,7 @@ set_target_properties(PkgConfig::GSL PROPERTIES
                       INTERFACE_LINK_LIBRARIES "${gsl_libraries};PkgConfig::BLAS")
 pennon_pkg_config(HDF5 hdf5-serial libhdf5-dev)
 pennon_pkg_config(ARPACK arpack libarpack2-dev)
-pennon_pkg_config(LAPACK lapack liblapack-dev)
+pennon_pkg_config(LAPACKE lapacke liblapacke-dev)
 pennon_pkg_config(FFTW fftw3 libfftw3-dev)
 pennon_find_package(MPI libopenmpi-dev)
 pennon_find_package(Eigen3 libeigen3-dev)

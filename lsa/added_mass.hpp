@@ -2,8 +2,8 @@
 ///
 ///   two_d   2/k_y                    a plane wave on an unbounded sheet (Connell & Yue 2007)
 ///   wu      pi gamma/4               (B 6), Wu (1961); 2/k_y in two dimensions, where gamma has no
-///                                    meaning. Grows without bound as gamma does, and so does not
-///                                    tend to its own two-dimensional value.
+///                                    meaning. It grows without bound as gamma does, and so does
+///                                    not tend to its own two-dimensional value.
 ///   lamb    2/(k_x^2 + k_y^2)^1/2    the wave of any direction on a sheet wetted on both sides
 ///                                    (Lamb 1932, section 232); two_d at k_x = 0
 ///   minami  the integral (B 4) for a given mode and pressure: lsa/minami.hpp
@@ -19,7 +19,7 @@
 
 namespace pennon::lsa {
 
-/// `kind` one of the closed forms; k_y > 0, k_x of any sign.
+/// c_m of a wave by one of the closed forms. Preconditions: k_y > 0; k_x may have any sign.
 template <AddedMass kind>
 requires(kind != AddedMass::minami) double closed_form_added_mass(double k_x, double k_y) {
   if constexpr (kind == AddedMass::two_d) return 2 / k_y;
@@ -31,7 +31,7 @@ requires(kind != AddedMass::minami) double closed_form_added_mass(double k_x, do
   }
 }
 
-/// c_m of a wave. k_y > 0. Throws SolverError where the quadrature of `minami` fails.
+/// c_m of a wave. Precondition: k_y > 0. Throws SolverError where the quadrature of `minami` fails.
 double added_mass(AddedMass kind, const MinamiSettings&, double k_x, double k_y);
 
 }  // namespace pennon::lsa

@@ -10,7 +10,7 @@ namespace {
 struct AxisInfo {
   std::string name;
   std::string meaning;
-  std::string label;
+  std::string symbol;
   Range range;
   double Point::*parameter;
   Lanes PointBatch::*lanes;
@@ -18,19 +18,15 @@ struct AxisInfo {
 
 const AxisInfo& info(Axis axis) {
   static const std::array<AxisInfo, axis_count> all = {{
-      {"mu", "mass ratio rho_s h/(rho_f L)", "{/:Italic μ}", ranges::mu, &Point::mu,
-       &PointBatch::mu},
-      {"Re", "Reynolds number V L/nu", "{/:Italic Re}", ranges::Re, &Point::Re, &PointBatch::Re},
-      {"k_x", "spanwise wavenumber, in 1/L", "{/:Italic k_x L}", ranges::k_x, &Point::k_x,
-       &PointBatch::k_x},
-      {"k_y", "streamwise wavenumber, in 1/L", "{/:Italic k_y L}", ranges::k_y, &Point::k_y,
-       &PointBatch::k_y},
-      {"nu_s", "Poisson ratio", "{/:Italic ν_s}", ranges::nu_s, &Point::nu_s, &PointBatch::nu_s},
-      {"gamma", "spanwise period S/L", "{/:Italic γ}", ranges::gamma, &Point::k_x,
-       &PointBatch::k_x},
-      {"K_B", "bending stiffness EI/(rho_f V^2 L^3)", "{/:Italic K_B}", ranges::K_B, &Point::K_B,
+      {"mu", "mass ratio rho_s h/(rho_f L)", "μ", ranges::mu, &Point::mu, &PointBatch::mu},
+      {"Re", "Reynolds number V L/nu", "Re", ranges::Re, &Point::Re, &PointBatch::Re},
+      {"k_x", "spanwise wavenumber, in 1/L", "k_x L", ranges::k_x, &Point::k_x, &PointBatch::k_x},
+      {"k_y", "streamwise wavenumber, in 1/L", "k_y L", ranges::k_y, &Point::k_y, &PointBatch::k_y},
+      {"nu_s", "Poisson ratio", "ν_s", ranges::nu_s, &Point::nu_s, &PointBatch::nu_s},
+      {"gamma", "spanwise period S/L", "γ", ranges::gamma, &Point::k_x, &PointBatch::k_x},
+      {"K_B", "bending stiffness EI/(rho_f V^2 L^3)", "K_B", ranges::K_B, &Point::K_B,
        &PointBatch::K_B},
-      {"U", "cross-flow U/V", "{/:Italic U}/{/:Italic V}", ranges::U, &Point::U, &PointBatch::U},
+      {"U", "cross-flow U/V", "U/V", ranges::U, &Point::U, &PointBatch::U},
   }};
   return all[static_cast<std::size_t>(axis)];
 }
@@ -43,8 +39,8 @@ const std::string& name(Axis axis) {
 const std::string& meaning(Axis axis) {
   return info(axis).meaning;
 }
-const std::string& label(Axis axis) {
-  return info(axis).label;
+const std::string& symbol(Axis axis) {
+  return info(axis).symbol;
 }
 const Range& range(Axis axis) {
   return info(axis).range;

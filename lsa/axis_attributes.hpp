@@ -7,11 +7,11 @@
 
 namespace pennon::lsa {
 
-/// name, meaning, label and scale: "log" or "linear".
+/// The attributes name, meaning, symbol and scale, which is "log" or "linear".
 inline hdf5::Attributes attributes(Axis axis, Scale scale) {
   return {{"name", name(axis)},
           {"meaning", meaning(axis)},
-          {"label", label(axis)},
+          {"symbol", symbol(axis)},
           {"scale", scale == Scale::log ? "log" : "linear"}};
 }
 

@@ -1,5 +1,5 @@
 /// Many points at once, as arrays: the same arithmetic as solve() of lsa/dispersion.hpp, in loops
-/// that the compiler turns into vector instructions. Bit for bit equal to it.
+/// that the compiler turns into vector instructions. The results are equal to the last bit.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pennon::lsa {
 
-/// As many points as keep inputs and outputs of a batch in the first-level cache.
+/// So many points that the inputs and outputs of a batch fit in the first-level cache.
 inline constexpr std::size_t batch_size = 256;
 
 using Lanes = std::array<double, batch_size>;
@@ -19,7 +19,7 @@ struct PointBatch {
   Lanes mu, Re, k_x, k_y, nu_s, K_B, U;
   Lanes c_m;  ///< read where the model's added mass is `minami`, else written
 
-  /// Sets every lane of a parameter, or all parameters.
+  /// Sets all lanes of every parameter to those of the point.
   void fill(const Point&);
 };
 

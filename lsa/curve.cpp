@@ -8,7 +8,7 @@
 #include "common/interrupt.hpp"
 #include "common/io/atomic_file.hpp"
 #include "common/io/csv.hpp"
-#include "lsa/marks.hpp"
+#include "lsa/outcome_points.hpp"
 #include "lsa/quantity.hpp"
 
 namespace pennon::lsa {
@@ -66,20 +66,20 @@ void write_lines(const Curve& curve, hdf5::Writer& file) {
   std::vector<double> values;
   for (const auto& row : curve.values) values.insert(values.end(), row.begin(), row.end());
   file.write("/values", {curve.family.size(), curve.x.size()}, values,
-             {{"name", shown.name}, {"meaning", shown.meaning}, {"label", shown.label}});
+             {{"name", shown.name}, {"meaning", shown.meaning}, {"symbol", shown.symbol}});
   if (curve.family_axis)
     file.write("/family", {curve.family.size()}, curve.family,
                {{"name", name(*curve.family_axis)},
                 {"meaning", meaning(*curve.family_axis)},
-                {"label", label(*curve.family_axis)}});
+                {"symbol", symbol(*curve.family_axis)}});
 }
 
-void write_hdf5(const Curve& curve, const std::vector<Outcome>& marks, bool cross_flow,
+void write_hdf5(const Curve& curve, const std::vector<Outcome>& outcomes, bool cross_flow,
                 const std::filesystem::path& path) {
   hdf5::Writer file(path);
   file.attributes({{"kind", "lsa_curve"}, {"title", curve.title}});
   write_lines(curve, file);
-  write_marks(file, marks, curve.axis, curve.quantity, cross_flow);
+  write_outcome_points(file, outcomes, curve.axis, curve.quantity, cross_flow);
   file.finish();
 }
 

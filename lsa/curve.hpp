@@ -19,25 +19,25 @@ struct Curve {
   Scale scale;
   std::vector<double> x;
   std::optional<Axis> family_axis;  ///< none: one curve
-  std::vector<double> family;       ///< its values; one NaN where there is no family
+  std::vector<double> family;       ///< values of family_axis; one NaN where there is no family
   std::string quantity;
   std::string title;
   std::vector<std::vector<double>> values;  ///< [family][x]; NaN where there is no value
 };
 
-/// `settings` as check() accepts them. Throws as solve().
+/// Precondition: check() accepts the settings. Throws what solve() throws.
 Curve compute(const CurveSettings& settings, const Point& point, const Theory&);
 
-/// curve.csv's columns: the axis, then a column for each member of the family. Throws FileError.
+/// Writes a column for the axis and one for each member of the family. Throws FileError.
 void write_csv(const Curve&, const std::filesystem::path&);
 
 /// Writes /x, /values [family][x] and, if there is a family, /family, with their names, meanings
-/// and labels. Throws FileError.
+/// and symbols. Throws FileError.
 void write_lines(const Curve&, hdf5::Writer&);
 
-/// The same as HDF5, with what a picture needs: kind = "lsa_curve". `marks`: see lsa/marks.hpp.
-/// Throws FileError.
-void write_hdf5(const Curve&, const std::vector<Outcome>& marks, bool cross_flow,
+/// Writes the lines and the outcomes (lsa/outcome_points.hpp) as a file of kind "lsa_curve", which
+/// can be drawn. Throws FileError.
+void write_hdf5(const Curve&, const std::vector<Outcome>& outcomes, bool cross_flow,
                 const std::filesystem::path&);
 
 }  // namespace pennon::lsa

@@ -31,7 +31,7 @@ struct Coefficients {
   double c_m;
   double kappa;  ///< k_y, with cross-flow k_y + U k_x
   double K;      ///< all restoring forces
-  double B;  ///< of them the chordwise tension's, which (4.8b) as printed has with the wrong sign
+  double B;      ///< the part of K by chordwise tension; (4.8b) as printed has its sign wrong
 };
 
 /// `c_m` from added_mass(); `tension` from tension_times_sqrt_Re().
@@ -49,14 +49,14 @@ inline Coefficients coefficients(const Point& p, double c_m, double tension, boo
   return {p.mu, c_m, cross_flow ? p.k_y + p.U * p.k_x : p.k_y, K, B};
 }
 
-/// What (4.6) says. All angular frequencies in units of V/L.
+/// The roots of (4.6) and what follows from them. Angular frequencies are in V/L.
 struct Stability {
   double c_m;
   double P;                             ///< of (4.7); unstable where negative
   double omega_r_plus, omega_i_plus;    ///< the root with +P^1/2; if complex, the one that grows
-  double omega_r_minus, omega_i_minus;  ///< the other
+  double omega_r_minus, omega_i_minus;  ///< the other root
   double growth;                        ///< max Im omega, 0 where both roots are real; (4.9)
-  double frequency;                     ///< Re omega/(2 pi) of that root, in V/L
+  double frequency;                     ///< Re omega/(2 pi) of the plus root, in V/L
   double mu_cr;                         ///< (4.8b); NaN where no mass ratio is unstable
 
   bool is_unstable() const { return P < 0; }
@@ -64,9 +64,9 @@ struct Stability {
   std::complex<double> omega_minus() const { return {omega_r_minus, omega_i_minus}; }
 };
 
-/// Solves (4.6). Selects instead of branches and no division that is not needed, so that a loop
-/// over points becomes vector code; points and maps share it and agree to the bit. Accuracy:
-/// docs/accuracy.md.
+/// Solves (4.6). It selects instead of branching and divides no more than needed, so that a loop
+/// over points becomes vector code; single points and maps share it and agree to the bit.
+/// docs/accuracy.md states its accuracy.
 template <Form form>
 Stability solve(const Coefficients& c) {
   const double total_mass = c.mu + c.c_m;

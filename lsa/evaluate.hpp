@@ -1,4 +1,4 @@
-/// A point under a model: its coefficients and what (4.6) says of it.
+/// A point under a model: the coefficients of (4.6) and its solution.
 #pragma once
 
 #include "lsa/dispersion.hpp"
@@ -7,7 +7,7 @@
 
 namespace pennon::lsa {
 
-/// The assumptions of an analysis, whole.
+/// All assumptions of an analysis.
 struct Theory {
   Model model;
   MinamiSettings minami;

@@ -15,7 +15,7 @@
 #include "common/progress.hpp"
 #include "lsa/added_mass.hpp"
 #include "lsa/batch.hpp"
-#include "lsa/marks.hpp"
+#include "lsa/outcome_points.hpp"
 #include "lsa/quantity.hpp"
 
 namespace pennon::lsa {
@@ -116,7 +116,7 @@ void declare_fields(hdf5::Writer& file, const MapSettings& settings, const MapAx
     file.declare("/fields/" + field, {axes.y.size(), axes.x.size()},
                  {{"name", q.name},
                   {"meaning", q.meaning},
-                  {"label", q.label},
+                  {"symbol", q.symbol},
                   {"is_signed", std::int64_t(q.is_signed)}});
   }
 }
@@ -197,7 +197,7 @@ MapAxes axes_of(const MapSettings& settings) {
 }
 
 MapSummary compute_map(const MapSettings& settings, const Point& point, const Theory& theory,
-                       const std::vector<Outcome>& marks, const OutputFolder& folder,
+                       const std::vector<Outcome>& outcomes, const OutputFolder& folder,
                        bool shows_progress) {
   const MapAxes axes = axes_of(settings);
   MapSummary summary;
@@ -228,7 +228,7 @@ MapSummary compute_map(const MapSettings& settings, const Point& point, const Th
     summary.neutral = trace_neutral(g, thinned(axes.x), thinned(axes.y));
     write_neutral(file, summary.neutral, axes, folder);
   }
-  write_marks(file, marks, axes.x_axis, name(axes.y_axis), theory.model.cross_flow);
+  write_outcome_points(file, outcomes, axes.x_axis, name(axes.y_axis), theory.model.cross_flow);
   file.finish();
   return summary;
 }

@@ -21,8 +21,7 @@ struct MapAxes {
   Scale x_scale, y_scale;
   std::vector<double> x, y;
 };
-/// mu lies along the ordinate, the other one along the abscissa. `settings` as check() accepts
-/// them.
+/// If one of the axes is mu, it is the ordinate. Precondition: check() accepts the settings.
 MapAxes axes_of(const MapSettings& settings);
 
 struct MapSummary {
@@ -35,9 +34,10 @@ struct MapSummary {
 /// Computes the fields over the map and writes them to `folder`/map.h5 (kind = "lsa_map": /x, /y,
 /// /fields/NAME [y][x], /neutral/x and /neutral/y with a NaN between polylines, /marks) and the
 /// neutral curve to `folder`/neutral.csv. Threads share the rows; the results do not depend on
-/// their number. Memory: two axes and 64 MB. Throws FileError, SolverError, Interrupted.
+/// their number. It takes the memory of two axes and 64 MB. Throws FileError, SolverError and
+/// Interrupted.
 MapSummary compute_map(const MapSettings&, const Point&, const Theory&,
-                       const std::vector<Outcome>& marks, const OutputFolder& folder,
+                       const std::vector<Outcome>& outcomes, const OutputFolder& folder,
                        bool shows_progress);
 
 }  // namespace pennon::lsa

@@ -31,8 +31,9 @@ struct MinamiSettings {
   MinamiPressure pressure = MinamiPressure::plate;
 };
 
-/// c_m of the mode and pressure of the settings, to 1e-10. k_y > 0. Throws SolverError where GSL's
-/// quadrature does not reach its tolerance, or |k_x| or k_y is beyond PlatePressure.
+/// c_m of the mode and pressure of the settings, to 1e-10. Precondition: k_y > 0. Throws
+/// SolverError where GSL's quadrature does not reach its tolerance, or |k_x| or k_y is larger than
+/// PlatePressure allows.
 double minami(const MinamiSettings&, double k_x, double k_y);
 
 /// (B 4) as it stands, for any fields over one span 0 <= x <= S and the chord 0 <= y <= 1 at one

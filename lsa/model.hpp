@@ -1,5 +1,5 @@
-/// What the local stability analysis is asked about (a point), and under which assumptions (a
-/// model).
+/// The point in the parameters of flag and flow at which local stability is analysed, and the
+/// assumptions of the analysis (the model).
 ///
 /// Scales: chord L, inflow V, fluid density rho_f. Perturbations zeta = A exp(i(k_y y - omega t))
 /// cos(k_x x), or with cross-flow the travelling wave A exp(i(k_x x + k_y y - omega t)).
@@ -39,8 +39,9 @@ struct Model {
 };
 
 /// The chordwise tension times Re^1/2: tension_coefficient times the share of the chord's drag that
-/// the section at y carries. Consistent (1.3): 1 - sqrt(y), the drag of what hangs downstream of y.
-/// Printed (above 4.1): sqrt(y). Both are 1 where they are largest, and (4.4) ff. take that value.
+/// the section at y carries. By (1.3) the share is 1 - sqrt(y), the drag of all that lies
+/// downstream of y; printed above (4.1) is sqrt(y). Both are 1 where they are largest, which is the
+/// value that (4.4) and the following take.
 inline double tension_times_sqrt_Re(const Model& model) {
   if (!model.tension_at) return model.tension_coefficient;
   const double root = std::sqrt(*model.tension_at);

@@ -1,4 +1,4 @@
-/// The wavenumber of the largest growth rate.
+/// The wavenumber at which the growth rate is largest.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct MostUnstable {
 
 /// Maximises the growth over `axis` (k_x or k_y), the other parameters as in `point`: the best of
 /// the sampled wavenumbers, refined between its neighbours. None where all samples are stable.
-/// Throws as solve().
+/// Throws what solve() throws.
 std::optional<MostUnstable> most_unstable(Point point, const Theory&, Axis axis,
                                           const Sweep& search);
 

@@ -7,10 +7,10 @@
 ///   -q'' + (k_x^2/4) sin^2(theta) q = lambda q,   g'' = (lambda + (k_x^2/4) sinh^2(rho)) g
 ///
 /// (Mathieu functions of imaginary argument). The q_j come from a tridiagonal eigenproblem in
-/// sin(n theta), the g_j enter only by sigma_j = -g'(0)/g(0), from the Riccati equation
-/// sigma' = sigma^2 - lambda - (k_x^2/4) sinh^2(rho), integrated inwards, where it forgets its
-/// start. At k_x = 0, sigma_n = n: a plunging plate has c_m = pi/4. As k_x grows, p tends to 2
-/// a/k_x.
+/// sin(n theta). The g_j enter only by sigma_j = -g'(0)/g(0), from the Riccati equation
+/// sigma' = sigma^2 - lambda - (k_x^2/4) sinh^2(rho), integrated inwards, where the error of its
+/// initial value decays. At k_x = 0, sigma_n = n, and a plunging plate has c_m = pi/4. As k_x
+/// grows, p tends to 2 a/k_x.
 #pragma once
 
 #include <Eigen/Core>

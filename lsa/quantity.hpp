@@ -12,10 +12,10 @@ namespace pennon::lsa {
 struct Quantity {
   std::string name;
   std::string meaning;  ///< with its equation and unit
-  std::string label;    ///< for pictures, in gnuplot's markup
-  bool is_signed;       ///< zero is a border worth showing
+  std::string symbol;   ///< how formulas write it, as plain text: "ω_r^+"
+  bool is_signed;       ///< both signs occur, and zero separates two regions
   double (*at)(const Point&, const Theory&);
-  Lanes StabilityBatch::*lanes;  ///< null: only along curves
+  Lanes StabilityBatch::*lanes;  ///< null for a quantity that only curves can show
 };
 
 const std::vector<std::string>& curve_quantities();

@@ -16,7 +16,7 @@
 
 namespace pennon::lsa {
 
-/// A sweep for each axis that varies.
+/// For each axis its sweep, where it varies.
 using Sweeps = std::array<std::optional<Sweep>, axis_count>;
 
 struct CurveSettings {
@@ -28,7 +28,7 @@ struct CurveSettings {
 
 struct MapSettings {
   bool is_given = false;
-  Sweeps sweeps;  ///< two
+  Sweeps sweeps;  ///< of exactly two axes
   std::vector<std::string> fields = {"growth", "frequency", "P", "mu_cr"};
   std::string quantity = "growth";  ///< the field the picture shows
   bool neutral = true;              ///< trace the neutral curve P = 0
@@ -70,7 +70,7 @@ void declare(Schema&, Settings&);
 /// The faults between keys: contradictions, a curve or map without its axes, too many points.
 void check(const Settings&, const FlagParameters&, const FlowParameters&, Faults&);
 
-/// The parameters of the case's own point.
+/// The point that the case itself describes.
 Point point_of(const FlagParameters&, const FlowParameters&, const Settings&);
 
 /// The sweep along an axis that varies.

@@ -3,6 +3,7 @@ pennon_test(analysis_tests LABEL unit
     unit/analysis/signal/energy_budget.cpp
     unit/analysis/drawing/figure.cpp
     unit/analysis/figures/of_flag.cpp
+    unit/analysis/figures/symbol.cpp
     unit/analysis/signal/growth.cpp
     unit/analysis/signal/limit_cycle.cpp
     unit/analysis/drawing/raster.cpp

@@ -134,30 +134,31 @@ void add_field(const Figure& figure, PlotItems& items) {
 }
 
 // The ends of the colours.
-Span colors_of(const Field& field) {
-  Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+AxisRange colors_of(const FigureField& field) {
+  AxisRange range{std::numeric_limits<double>::infinity(),
+                  -std::numeric_limits<double>::infinity()};
   for (const double value : field.values) {
     if (!std::isfinite(value)) continue;
-    span.low = std::min(span.low, value);
-    span.high = std::max(span.high, value);
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
   }
-  if (span.low > span.high) return {0, 1};
+  if (range.low > range.high) return {0, 1};
   if (field.is_diverging) {
-    const double largest = std::max(std::abs(span.low), std::abs(span.high));
-    return largest > 0 ? Span{-largest, largest} : Span{-1, 1};
+    const double largest = std::max(std::abs(range.low), std::abs(range.high));
+    return largest > 0 ? AxisRange{-largest, largest} : AxisRange{-1, 1};
   }
-  const double margin = span.low == 0 ? 0.5 : 0.1 * std::abs(span.low);
-  return span.low < span.high ? span : Span{span.low - margin, span.high + margin};
+  const double margin = range.low == 0 ? 0.5 : 0.1 * std::abs(range.low);
+  return range.low < range.high ? range : AxisRange{range.low - margin, range.high + margin};
 }
 
-std::string color_bar(const Field& field) {
-  const Span span = colors_of(field);
+std::string color_bar(const FigureField& field) {
+  const AxisRange range = colors_of(field);
   return (field.is_diverging ? diverging_palette() : sequential_palette(0)) +
          fmt::format(
              "set cbrange [{}:{}]\nset cblabel {} offset 1,0\n"
              "set cbtics out scale 0.5 format '%h'\nset style line 1 lc rgb '#000000' lw 0.6\nset "
              "colorbox border 1\n",
-             span.low, span.high, quoted_text(field.label));
+             range.low, range.high, quoted_text(field.label));
 }
 
 // Labelled tics of a logarithmic axis too short for two powers of ten: 1, 2, 5 times a power, or
@@ -181,7 +182,7 @@ std::string short_log_tics(double low, double high) {
   return fmt::format("({})", fmt::join(tics, ", "));
 }
 
-std::string axis_text(const std::string& name, const FigureAxis& axis, const Span& ends) {
+std::string axis_text(const std::string& name, const FigureAxis& axis, const AxisRange& ends) {
   std::string text = fmt::format("set {}label {}\n", name, quoted_text(axis.label));
   text += fmt::format("set {}2range [{}:{}]\n", name, ends.low, ends.high);
   if (!axis.is_log)

@@ -41,7 +41,7 @@ struct Marks {
 
 /// Values on the nodes of a rectangular grid, coloured; between nodes they are interpolated
 /// linearly along the axes as drawn.
-struct Field {
+struct FigureField {
   std::vector<double> x, y;    ///< the grid's lines, increasing, not necessarily equally spaced
   std::vector<double> values;  ///< y.size() rows of x.size() values; NaN is left blank
   std::string label;           ///< of the colour bar, enhanced text
@@ -51,7 +51,7 @@ struct Field {
 struct Figure {
   std::string title;  ///< literal text; none if empty
   FigureAxis x, y;
-  std::optional<Field> field;
+  std::optional<FigureField> field;
   std::vector<Line> lines;
   std::vector<Marks> marks;
   bool is_to_scale = false;  ///< one length for one unit along both axes

@@ -14,27 +14,28 @@ class Hull {
   void add(const std::vector<double>& values) {
     for (const double value : values) {
       if (!is_drawable(axis_, value)) continue;
-      span_.low = std::min(span_.low, drawn(axis_, value));
-      span_.high = std::max(span_.high, drawn(axis_, value));
+      range_.low = std::min(range_.low, drawn(axis_, value));
+      range_.high = std::max(range_.high, drawn(axis_, value));
     }
   }
   // The axis' ends as drawn: those it prescribes, else the hull with a margin.
-  Span ends(double margin) const {
-    Span span = span_;
-    if (span.low > span.high) span = {0, 1};
-    if (span.low == span.high) span = {span.low - half_width(), span.high + half_width()};
-    const double extra = margin * (span.high - span.low);
-    return {axis_.low ? drawn(axis_, *axis_.low) : span.low - extra,
-            axis_.high ? drawn(axis_, *axis_.high) : span.high + extra};
+  AxisRange ends(double margin) const {
+    AxisRange range = range_;
+    if (range.low > range.high) range = {0, 1};
+    if (range.low == range.high) range = {range.low - half_width(), range.high + half_width()};
+    const double extra = margin * (range.high - range.low);
+    return {axis_.low ? drawn(axis_, *axis_.low) : range.low - extra,
+            axis_.high ? drawn(axis_, *axis_.high) : range.high + extra};
   }
 
  private:
   double half_width() const {
-    return axis_.is_log || span_.low == 0 ? 0.5 : 0.1 * std::abs(span_.low);
+    return axis_.is_log || range_.low == 0 ? 0.5 : 0.1 * std::abs(range_.low);
   }
 
   const FigureAxis& axis_;
-  Span span_{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  AxisRange range_{std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
 };
 
 }  // namespace

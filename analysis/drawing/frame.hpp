@@ -7,13 +7,13 @@
 
 namespace pennon::analysis {
 
-struct Span {
+struct AxisRange {
   double low, high;
 };
 
 /// Both axes' ends, as drawn.
 struct Frame {
-  Span x, y;
+  AxisRange x, y;
 };
 
 /// Whether an axis has a place for the value: it is finite, and positive where that is needed.

@@ -57,8 +57,8 @@ class KeyPlace {
  private:
   bool is_free(bool is_right, bool is_top) const {
     const double key_height = text_height * (static_cast<double>(rows_) + 0.5);
-    const Span x = is_right ? Span{1 - width_, 1} : Span{0, width_};
-    const Span y = is_top ? Span{1 - key_height, 1} : Span{0, key_height};
+    const AxisRange x = is_right ? AxisRange{1 - width_, 1} : AxisRange{0, width_};
+    const AxisRange y = is_top ? AxisRange{1 - key_height, 1} : AxisRange{0, key_height};
     const auto covers = [&](double u, double v) {
       return u >= x.low && u <= x.high && v >= y.low && v <= y.high;
     };
@@ -91,9 +91,9 @@ class KeyPlace {
     return false;
   }
 
-  static double across(const FigureAxis& axis, const Span& span, double value) {
+  static double across(const FigureAxis& axis, const AxisRange& range, double value) {
     if (!is_drawable(axis, value)) return std::numeric_limits<double>::quiet_NaN();
-    return (drawn(axis, value) - span.low) / (span.high - span.low);
+    return (drawn(axis, value) - range.low) / (range.high - range.low);
   }
 
   const Figure& figure_;

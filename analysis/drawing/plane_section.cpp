@@ -23,7 +23,7 @@ struct Vertex {
 };
 
 // Paints the nodes of the raster inside a triangle, linearly between its corners.
-void paint(const std::array<Vertex, 3>& corners, Field& field) {
+void paint(const std::array<Vertex, 3>& corners, FigureField& field) {
   const auto [a, b, c] = corners;
   const double area = (b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y);
   if (area == 0) return;
@@ -57,8 +57,8 @@ class Corners {
 
 }  // namespace
 
-Field plane_section(const hdf5::Array& points, const hdf5::Array& values,
-                    const PlaneWindow& window) {
+FigureField plane_section(const hdf5::Array& points, const hdf5::Array& values,
+                          const PlaneWindow& window) {
   const std::size_t n_rho = *(values.shape.end() - 2), n_theta = values.shape.back();
   const Corners corners(points);
   // The value at a corner is the mean of the cells about it.
@@ -74,10 +74,10 @@ Field plane_section(const hdf5::Array& points, const hdf5::Array& values,
     const std::size_t corner = j * (n_theta + 1) + i;
     return Vertex{corners.y(corner), corners.z(corner), sum / count};
   };
-  Field field{equally_spaced(window.y_low, window.y_high, columns),
-              equally_spaced(window.z_low, window.z_high, rows),
-              {},
-              {}};
+  FigureField field{equally_spaced(window.y_low, window.y_high, columns),
+                    equally_spaced(window.z_low, window.z_high, rows),
+                    {},
+                    {}};
   field.values.assign(columns * rows, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t j = 0; j < n_rho; ++j)
     for (std::size_t i = 0; i < n_theta; ++i) {
@@ -89,7 +89,7 @@ Field plane_section(const hdf5::Array& points, const hdf5::Array& values,
   return field;
 }
 
-void clip_to_most(Field& field, double share) {
+void clip_to_most(FigureField& field, double share) {
   std::vector<double> sizes;
   for (const double value : field.values)
     if (std::isfinite(value)) sizes.push_back(std::abs(value));
@@ -101,7 +101,7 @@ void clip_to_most(Field& field, double share) {
     if (std::isfinite(value)) value = std::clamp(value, -limit, limit);
 }
 
-Figure figure_of_section(Field field, const hdf5::Array& points, std::size_t n_theta,
+Figure figure_of_section(FigureField field, const hdf5::Array& points, std::size_t n_theta,
                          const PlaneWindow& window) {
   Figure figure;
   figure.x = {"{/:Italic y}/{/:Italic L}", false, window.y_low, window.y_high};

@@ -50,7 +50,7 @@ double between(double a, double b, double fraction) {
   return (1 - fraction) * a + fraction * b;
 }
 
-double sample(const Field& field, const Place& x, const Place& y) {
+double sample(const FigureField& field, const Place& x, const Place& y) {
   const auto at = [&](std::size_t column, std::size_t row) {
     return field.values[row * field.x.size() + column];
   };
@@ -63,7 +63,7 @@ double sample(const Field& field, const Place& x, const Place& y) {
 
 }  // namespace
 
-Raster raster(const Field& field, const FigureAxis& x_axis, const FigureAxis& y_axis,
+Raster raster(const FigureField& field, const FigureAxis& x_axis, const FigureAxis& y_axis,
               std::size_t columns, std::size_t rows) {
   assert(field.values.size() == field.x.size() * field.y.size());
   const Direction x = direction(field.x, x_axis, columns);

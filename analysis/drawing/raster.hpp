@@ -1,4 +1,4 @@
-/// A field on any rectangular grid as a raster of equally large pixels, which is what a picture is.
+/// A field on any rectangular grid, sampled on a raster of equally large pixels for a picture.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@ struct Raster {
 };
 
 /// Samples the field at the pixels' centres, bilinearly in the coordinates as drawn; where a corner
-/// of the cell is NaN, at its nearest node. Needs a value for each pair of grid lines, which must
-/// be positive along a logarithmic axis.
-Raster raster(const Field&, const FigureAxis& x, const FigureAxis& y, std::size_t columns,
+/// of the cell is NaN, the value is that of the nearest node. Preconditions: the field has a value
+/// for each pair of grid lines, and grid lines along a logarithmic axis are positive.
+Raster raster(const FigureField&, const FigureAxis& x, const FigureAxis& y, std::size_t columns,
               std::size_t rows);
 
 }  // namespace pennon::analysis

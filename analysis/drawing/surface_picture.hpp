@@ -19,8 +19,9 @@ struct SurfacePicture {
   std::vector<Surface> surfaces;
 };
 
-/// Writes `stem`.png, whole or not at all, and returns its name: the surfaces in perspective, equal
-/// scales along all axes, the value in bands of colour. Throws FileError as draw() of figure.hpp.
+/// Draws the surfaces in perspective, with equal scales along all axes and the values in bands of
+/// colour. Writes `stem`.png, whole or not at all, and returns its name. Throws FileError as draw()
+/// of figure.hpp does.
 std::filesystem::path draw(const SurfacePicture&, const std::filesystem::path& stem);
 
 }  // namespace pennon::analysis

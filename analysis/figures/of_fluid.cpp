@@ -66,7 +66,7 @@ Figure figure_of_trailing_edge(const hdf5::Reader& file) {
 Figure figure_of_fluid_fields(const hdf5::Reader& file) {
   constexpr PlaneWindow flag_and_wake{-0.5, 4.5, -1.25, 1.25};
   const hdf5::Array points = file.read("/points"), omega = file.read("/omega_x");
-  Field field = plane_section(points, omega, flag_and_wake);
+  FigureField field = plane_section(points, omega, flag_and_wake);
   field.label = "{/:Italic ω_x L}/{/:Italic V}";
   field.is_diverging = true;
   clip_to_most(field);

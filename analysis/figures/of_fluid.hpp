@@ -9,8 +9,8 @@ namespace pennon::analysis {
 /// Drag and lift over time.
 Figure figure_of_fluid_history(const hdf5::Reader&);
 
-/// z of the trailing edge over time: of a coupled run at its first station, and with a span at
-/// those a quarter of it apart.
+/// z of the trailing edge of a coupled run over time, at its first station; with a span also at
+/// stations a quarter of the span apart.
 Figure figure_of_trailing_edge(const hdf5::Reader&);
 
 /// The vorticity omega_x about the flag and in its wake, in the first plane.

@@ -62,7 +62,7 @@ Figure section_of(const hdf5::Reader& file, std::size_t mode, const std::string&
                   const PlaneWindow& window, const char* label, bool is_diverging) {
   const hdf5::Array points = file.read("/points"),
                     values = file.read(fmt::format("/mode_{}/{}", mode, array));
-  Field field = plane_section(points, values, window);
+  FigureField field = plane_section(points, values, window);
   field.label = label;
   field.is_diverging = is_diverging;
   constexpr double share_of_vorticity = 0.97, share_of_wavemaker = 0.99;

@@ -7,25 +7,14 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/figures/result_parts.hpp"
+#include "analysis/figures/symbol.hpp"
+
 namespace pennon::analysis {
 namespace {
 
 constexpr std::size_t most_nodes_drawn = 1000;  // along an axis; a picture shows no more
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-FigureAxis axis_of(const hdf5::Reader& file, const std::string& array) {
-  FigureAxis axis;
-  axis.label = file.text(array, "label");
-  axis.is_log = file.text(array, "scale") == "log";
-  return axis;
-}
-
-// The axis ends where the curve does.
-void fit(FigureAxis& axis, const std::vector<double>& increasing) {
-  if (increasing.size() < 2) return;
-  axis.low = increasing.front();
-  axis.high = increasing.back();
-}
 
 std::vector<double> row(const hdf5::Array& array, std::size_t index) {
   const auto width = static_cast<std::ptrdiff_t>(array.shape[1]);
@@ -40,23 +29,7 @@ Stroke stroke(std::size_t index) {
 // "k_x L = 0.5"; no spanwise variation is called by its name.
 std::string member_label(const hdf5::Reader& file, double member) {
   if (file.text("/family", "name") == "k_x" && member == 0) return "2D";
-  return fmt::format("{} = {:.4g}", file.text("/family", "label"), member);
-}
-
-void add_marks(const hdf5::Reader& file, Figure& figure) {
-  if (!file.contains("/marks/x")) return;
-  const hdf5::Array x = file.read("/marks/x");
-  const hdf5::Array y = file.read("/marks/y");
-  const hdf5::Array unstable = file.read("/marks/unstable");
-  Marks stable_marks{{}, {}, "stable in the table", Marker::square, false, 0};
-  Marks unstable_marks{{}, {}, "unstable in the table", Marker::square, true, 0};
-  for (std::size_t i = 0; i < x.values.size(); ++i) {
-    Marks& marks = unstable.values[i] > 0 ? unstable_marks : stable_marks;
-    marks.x.push_back(x.values[i]);
-    marks.y.push_back(y.values[i]);
-  }
-  for (Marks* marks : {&stable_marks, &unstable_marks})
-    if (!marks->x.empty()) figure.marks.push_back(std::move(*marks));
+  return fmt::format("{} = {:.4g}", label_of(file, "/family"), member);
 }
 
 std::size_t thinning(std::size_t nodes) {
@@ -65,7 +38,7 @@ std::size_t thinning(std::size_t nodes) {
 
 // Blanks what does not grow, but for the nodes next to those that do, so that the colours reach the
 // neutral curve.
-void leave_stable_side_white(Field& field) {
+void leave_stable_side_white(FigureField& field) {
   const std::size_t width = field.x.size();
   const std::size_t height = field.y.size();
   const std::vector<double> growth = field.values;
@@ -80,14 +53,15 @@ void leave_stable_side_white(Field& field) {
       if (!grows_near(i, j)) field.values[j * width + i] = none;
 }
 
-Field field_of(const hdf5::Reader& file) {
+FigureField field_of(const hdf5::Reader& file) {
   const std::string name = file.text("/", "picture");
   const std::string array = "/fields/" + name;
   const hdf5::Shape shape = file.shape(array);
   const hdf5::Shape strides = {thinning(shape[0]), thinning(shape[1])};
-  Field field{file.read_every("/x", {strides[1]}).values,
-              file.read_every("/y", {strides[0]}).values, file.read_every(array, strides).values,
-              file.text(array, "label"), file.number(array, "is_signed", 0) != 0};
+  FigureField field{file.read_every("/x", {strides[1]}).values,
+                    file.read_every("/y", {strides[0]}).values,
+                    file.read_every(array, strides).values, label_of(file, array),
+                    file.number(array, "is_signed", 0) != 0};
   if (name == "growth") leave_stable_side_white(field);
   return field;
 }
@@ -108,7 +82,7 @@ Figure figure_of_curve(const hdf5::Reader& file) {
   for (std::size_t i = 0; i < family.size(); ++i)
     figure.lines.push_back({x, row(values, i), is_family ? member_label(file, family[i]) : "",
                             stroke(i), static_cast<int>(i)});
-  add_marks(file, figure);
+  figure.marks = outcome_marks(file);
   return figure;
 }
 
@@ -122,7 +96,7 @@ Figure figure_of_map(const hdf5::Reader& file) {
     figure.lines.push_back({file.read("/neutral/x").values, file.read("/neutral/y").values,
                             file.text("/neutral/x", "label", "neutral curve {/:Italic P} = 0"),
                             Stroke::solid, 0, 2.0});
-  add_marks(file, figure);
+  figure.marks = outcome_marks(file);
   return figure;
 }
 

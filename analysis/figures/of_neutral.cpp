@@ -5,6 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "analysis/figures/result_parts.hpp"
+#include "analysis/figures/symbol.hpp"
+
 namespace pennon::analysis {
 namespace {
 
@@ -38,42 +41,18 @@ void add_local_theories(const hdf5::Reader& file, Figure& figure) {
   }
 }
 
-void add_outcomes(const hdf5::Reader& file, Figure& figure) {
-  if (!file.contains("/marks/x")) return;
-  const std::vector<double> x = file.read("/marks/x").values, y = file.read("/marks/y").values,
-                            unstable = file.read("/marks/unstable").values;
-  for (const bool is_unstable : {false, true}) {
-    Marks marks{{},
-                {},
-                is_unstable ? "unstable in the table" : "stable in the table",
-                Marker::square,
-                is_unstable,
-                0};
-    for (std::size_t i = 0; i < x.size(); ++i)
-      if ((unstable[i] > 0) == is_unstable) {
-        marks.x.push_back(x[i]);
-        marks.y.push_back(y[i]);
-      }
-    if (!marks.x.empty()) figure.marks.push_back(std::move(marks));
-  }
-}
-
 }  // namespace
 
 Figure figure_of_neutral_curve(const hdf5::Reader& file) {
   Figure figure;
   figure.title = file.text("/", "title");
-  figure.x.label = file.text("/x", "label");
-  figure.x.is_log = file.text("/x", "scale") == "log";
-  figure.y.label = file.text("/mu_cr", "label");
+  figure.x = axis_of(file, "/x");
+  figure.y.label = label_of(file, "/mu_cr");
   const std::vector<double> x = file.read("/x").values, mu = file.read("/mu_cr").values;
-  if (x.size() > 1) {
-    figure.x.low = x.front();
-    figure.x.high = x.back();
-  }
+  fit(figure.x, x);
   figure.lines.push_back({x, mu, "global modes", Stroke::solid, 0, 2.5});
   add_local_theories(file, figure);
-  add_outcomes(file, figure);
+  figure.marks = outcome_marks(file);
   double top = 0;
   for (const Line& line : figure.lines) top = highest(line.y, top);
   for (const Marks& marks : figure.marks) top = highest(marks.y, top);

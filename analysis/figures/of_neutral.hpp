@@ -6,8 +6,8 @@
 
 namespace pennon::analysis {
 
-/// mu_cr over the parameter, the other neutral modes that were followed, the local theory for each
-/// added mass and the marks of known outcomes.
+/// Shows mu_cr over the parameter, the other neutral modes that were followed, the local theory for
+/// each added mass, and known outcomes as marks.
 Figure figure_of_neutral_curve(const hdf5::Reader&);
 
 }  // namespace pennon::analysis

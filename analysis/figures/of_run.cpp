@@ -133,11 +133,11 @@ Figure figure_of_waterfall(const RunAnalysis& found) {
 Figure figure_of_space_and_time(const RunAnalysis& found) {
   Figure figure = over_time(found, span_label);
   const RunHistory& run = found.run;
-  Field field{equal_times(run.t.front(), run.t.back(), times_drawn),
-              closed_span(run),
-              {},
-              "{/:Italic ζ}/{/:Italic L}",
-              true};
+  FigureField field{equal_times(run.t.front(), run.t.back(), times_drawn),
+                    closed_span(run),
+                    {},
+                    "{/:Italic ζ}/{/:Italic L}",
+                    true};
   field.values.resize(field.x.size() * field.y.size());
   const std::vector<Spline> stations = splines(run);
   for (std::size_t i = 0; i < field.x.size(); ++i) {

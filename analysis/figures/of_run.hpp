@@ -22,8 +22,8 @@ Figure figure_of_growth(const RunAnalysis&);
 /// |zeta_n| for n = 0 to 3 (figures 8 and 16). Needs a span.
 Figure figure_of_spanwise_amplitudes(const RunAnalysis&);
 
-/// The trailing edge along the span at successive times, each shifted by its time, z along t
-/// (figures 7 and 15). Needs a span.
+/// The trailing edge along the span at successive times: each profile stands at its time, and z is
+/// drawn along the axis of time (figures 7 and 15). Needs a span.
 Figure figure_of_waterfall(const RunAnalysis&);
 
 /// z of the trailing edge over time and span, coloured. Needs a span.
@@ -35,7 +35,8 @@ Figure figure_of_forces(const RunAnalysis&);
 /// The flag's energies (figures 9c and 17).
 Figure figure_of_flag_energy(const RunAnalysis&);
 
-/// Fluid and flag together, received, lost, and the defect.
+/// The energy of flag and fluid together, the energies received and dissipated, and the defect
+/// (energy_budget.hpp).
 Figure figure_of_energy_budget(const RunAnalysis&);
 
 /// Draws all that the run allows into the folder and returns the names of the pictures.

@@ -10,11 +10,11 @@
 
 namespace pennon::analysis {
 
-/// Draws the picture of an output file beside it (map.h5: map.png and map.svg; of shapes of a flag
-/// with a span shapes_strain.png besides, of a coupled run history_trailing_edge, of
-/// global modes those of figures_of_global_modes()) and returns the
-/// names of the pictures. Throws InputError where the file is none of pennon's, FileError as
-/// draw().
+/// Draws the picture of an output file beside it, map.png and map.svg for map.h5, and returns the
+/// names of the pictures. Some files have more pictures: the shapes of a flag with a span also
+/// shapes_strain.png, a coupled run also history_trailing_edge, global modes also those of
+/// figures_of_global_modes(). Throws InputError where the file is none of pennon's, and FileError
+/// as draw() does.
 std::vector<std::filesystem::path> plot(const std::filesystem::path& file);
 
 }  // namespace pennon::analysis

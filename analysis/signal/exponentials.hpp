@@ -4,9 +4,9 @@
 ///
 /// The rows of the Hankel matrix f_{j+k} span the vectors (1, z_i, z_i^2, ...), z_i = exp(lambda_i
 /// dt). Its singular vectors above the noise are that space; the shift of the space by one sample
-/// has the eigenvalues z_i. No start values, no period to guess; a transient or an offset takes
-/// exponentials of its own and leaves the leading mode alone. What counts as noise is told by the
-/// median singular value (Gavish & Donoho 2014).
+/// has the eigenvalues z_i. The method needs neither start values nor a guess of the period; a
+/// transient or an offset takes exponentials of its own and does not disturb the leading mode. The
+/// median singular value determines what counts as noise (Gavish & Donoho 2014).
 #pragma once
 
 #include <complex>
@@ -21,8 +21,8 @@ struct Exponential {
   std::complex<double> amplitude;  ///< at the first sample
 };
 
-/// At most `most` of them. Needs at least 8 samples. Exact, to roundoff, for a sum of no more than
-/// that many; none of a signal that is zero.
+/// At most `most` exponentials; none for a signal that is zero. The fit is exact to roundoff where
+/// the signal is a sum of no more than that many. Precondition: at least 8 samples.
 std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt, std::size_t most);
 
 }  // namespace pennon::analysis

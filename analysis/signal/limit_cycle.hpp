@@ -3,9 +3,8 @@
 ///     A     half the range of z of the trailing edge at its antinode, the station where it is
 ///           largest; the mean over the last periods
 ///     f_s   flapping frequency of z there
-///     f_v   shedding frequency: of w at the probe nearest to (y, z) = (2, 1/4) L. The paper takes
-///     v
-///           there; of the same period, it has a second harmonic that grows toward z = 0
+///     f_v   shedding frequency, of w at the probe nearest to (y, z) = (2, 1/4) L. The paper takes
+///           v, which has the same period but a second harmonic that grows toward z = 0
 ///     St    2 A f_s/V
 ///     C_D_mean   time average of C_D over the last periods;  C_L_amp   half the range of C_L
 ///
@@ -38,7 +37,7 @@ std::vector<Period> last_periods(const std::vector<double>& t, const std::vector
 /// The mean frequency of some periods, by the straight line through their beginnings.
 double frequency_of(const std::vector<Period>&);
 
-/// What the periods differ by, (largest - smallest)/mean.
+/// By how much the periods differ: (largest - smallest)/mean.
 struct Scatter {
   double amplitude = 0, length = 0;
 };

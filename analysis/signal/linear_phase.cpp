@@ -104,7 +104,8 @@ std::optional<Leading> fit(const std::vector<double>& t, const Complexes& signal
   return leading;
 }
 
-double spread(const Growth& growth) {
+// By how much fits to parts of the window differ from the fit to all of it.
+double disagreement(const Growth& growth) {
   return std::hypot(growth.sigma_error, growth.omega_error);
 }
 
@@ -188,18 +189,18 @@ void add_candidates(const RunHistory& run, const std::vector<Complexes>& compone
 // The longest window of those whose parts agree as well as the best, within a factor two.
 const Candidate* best_of(const std::vector<Candidate>& candidates) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Candidate& c : candidates) least = std::min(least, spread(c.growth));
+  for (const Candidate& c : candidates) least = std::min(least, disagreement(c.growth));
   const Candidate* best = nullptr;
   const auto length = [](const Candidate& c) { return c.growth.to - c.growth.from; };
   for (const Candidate& c : candidates)
-    if (spread(c.growth) <= std::max(2 * least, agreement * size(c.growth)) &&
+    if (disagreement(c.growth) <= std::max(2 * least, agreement * size(c.growth)) &&
         (best == nullptr || length(c) > length(*best)))
       best = &c;
   return best;
 }
 
 bool contradicts_itself(const Growth& growth) {
-  return spread(growth) > contradiction * size(growth);
+  return disagreement(growth) > contradiction * size(growth);
 }
 
 LinearPhase in_given_window(const RunHistory& run, const std::vector<Complexes>& components,
@@ -246,7 +247,7 @@ std::optional<Growth> fit_growth(const std::vector<double>& t, const Complexes& 
   std::optional<Growth> best;
   for (const std::size_t most : exponentials)
     if (const auto growth = fit_growth(t, signal, from, to, most))
-      if (!best || spread(*growth) < spread(*best)) best = growth;
+      if (!best || disagreement(*growth) < disagreement(*best)) best = growth;
   return best;
 }
 

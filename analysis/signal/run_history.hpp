@@ -26,7 +26,7 @@ struct RunHistory {
   const std::vector<double>& column(const std::string& name) const { return columns.at(name); }
 };
 
-/// Rows below this number tell nothing.
+/// A history with fewer rows than this cannot be analysed.
 inline constexpr std::size_t fewest_rows = 16;
 
 /// Throws InputError where there is no such folder, or no history in it.

@@ -6,7 +6,7 @@
 namespace pennon::dns {
 namespace {
 
-std::vector<bool> held_nodes(const FlagMesh& mesh) {
+HeldNodes held_nodes(const FlagMesh& mesh) {
   const auto holds = [](Edge edge) { return edge == Edge::pinned || edge == Edge::clamped; };
   const EdgeConditions& edges = mesh.edges();
   std::vector<bool> is_held(static_cast<std::size_t>(mesh.nodes()), false);
@@ -16,7 +16,7 @@ std::vector<bool> held_nodes(const FlagMesh& mesh) {
           (j == 0 && holds(edges.leading)) ||
           (j == mesh.chord_nodes() - 1 && holds(edges.trailing)) || (i == 0 && holds(edges.left)) ||
           (i == mesh.stations() - 1 && holds(edges.right));
-  return is_held;
+  return HeldNodes(std::move(is_held));
 }
 
 // Pairs of nodes that share a cell (a segment), or a term of the bending energy.
@@ -51,7 +51,7 @@ Flag<dim>::Flag(FlagMesh mesh, const FlagMaterial& material)
       bending_load_(bending_.load.bottomRows<dim>()),
       pressure_(mesh_),
       mass_(mesh_.nodes()),
-      is_held_(held_nodes(mesh_)) {
+      held_(held_nodes(mesh_)) {
   assert(mesh_.dimension() == dim);
   for (int i = 0; i < mesh_.stations(); ++i)
     for (int j = 0; j < mesh_.chord_nodes(); ++j)
@@ -59,14 +59,8 @@ Flag<dim>::Flag(FlagMesh mesh, const FlagMaterial& material)
 }
 
 template <int dim>
-void Flag<dim>::clear_held(NodeVectors<dim>& vectors) const {
-  for (int node = 0; node < mesh_.nodes(); ++node)
-    if (is_held_[static_cast<std::size_t>(node)]) vectors.col(node).setZero();
-}
-
-template <int dim>
 std::unique_ptr<TangentMatrix<dim>> Flag<dim>::tangent_matrix() const {
-  return std::make_unique<TangentMatrix<dim>>(is_held_, coupled_nodes(mesh_, bending_));
+  return std::make_unique<TangentMatrix<dim>>(held_, coupled_nodes(mesh_, bending_));
 }
 
 template <int dim>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dns/flag/bending_form.hpp"
+#include "dns/flag/held_nodes.hpp"
 #include "dns/flag/mesh.hpp"
 #include "dns/flag/pressure_load.hpp"
 #include "dns/flag/step.hpp"
@@ -53,8 +54,8 @@ class Flag {
   const FlagMaterial& material() const { return material_; }
   /// mu times the area of each node.
   const Eigen::VectorXd& mass() const { return mass_; }
-  /// Sets the vectors of the nodes to zero whose position the edge conditions hold.
-  void clear_held(NodeVectors<dim>& vectors) const;
+  /// Sets the vectors of the held nodes to zero.
+  void clear_held(NodeVectors<dim>& vectors) const { held_.clear(vectors); }
   int elements() const { return pressure_.elements(); }
   const Stretch<dim>& stretch() const { return stretch_; }
 
@@ -87,7 +88,7 @@ class Flag {
   NodeVectors<dim> bending_load_;
   PressureLoad<dim> pressure_;
   Eigen::VectorXd mass_;
-  std::vector<bool> is_held_;
+  HeldNodes held_;
 };
 
 }  // namespace pennon::dns

@@ -119,11 +119,11 @@ class Descent {
   // The mode that the factored tangent resists least, by inverse iteration from a shape that no
   // mode is orthogonal to but by chance.
   NodeVectors<dim> softest_change() const {
-    constexpr int turns = 10;
+    constexpr int iterations = 10;
     NodeVectors<dim> shape = flag_.rest();
     for (Eigen::Index n = 0; n < shape.size(); ++n)
       shape.data()[n] = std::sin(static_cast<double>(n + 1));
-    for (int turn = 0; turn < turns; ++turn) {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
       shape = shape * flag_.mass().asDiagonal();
       flag_.clear_held(shape);
       tangent_.solve(shape);

@@ -1,6 +1,7 @@
 #include "dns/flag/tangent_matrix.hpp"
 
 #include <cblas.h>
+#include <lapacke.h>
 
 #include <algorithm>
 #include <cassert>
@@ -10,20 +11,11 @@
 
 #include "dns/flag/tangent_matrix_factors.hpp"
 
-extern "C" {
-void dgbtrf_(const int* rows, const int* columns, const int* below, const int* above, double* band,
-             const int* leading, int* pivots, int* info);
-void dgbtrs_(const char* transposed, const int* order, const int* below, const int* above,
-             const int* right_hand_sides, const double* band, const int* leading, const int* pivots,
-             double* b, const int* leading_b, int* info, std::size_t);
-void dpbtrf_(const char* triangle, const int* order, const int* below, double* band,
-             const int* leading, int* info, std::size_t);
-}
-
 namespace pennon::dns {
 
 // LAPACK's general band: entry (r, c) at row 2 w + r - c of column c, w the half width; the first w
-// rows take the fill-in of pivoting.
+// rows take the fill-in of pivoting. LAPACKE's functions that end in _work call LAPACK as they are;
+// the others look for NaN in all entries first, about as many operations as a solution has.
 template <int dim>
 class TangentMatrix<dim>::Band {
  public:
@@ -45,18 +37,16 @@ class TangentMatrix<dim>::Band {
 
   bool factor() {
     factors_ = entries_;
-    int info = 0;
-    dgbtrf_(&unknowns_, &unknowns_, &width_, &width_, factors_.data(), &leading_, pivots_.data(),
-            &info);
+    const lapack_int info = LAPACKE_dgbtrf_work(LAPACK_COL_MAJOR, unknowns_, unknowns_, width_,
+                                                width_, factors_.data(), leading_, pivots_.data());
     assert(info >= 0);
     return info == 0;
   }
   bool factor_if_definite() { return is_definite() && factor(); }
   void solve(Eigen::VectorXd& b) {
-    constexpr int one = 1;
-    int info = 0;
-    dgbtrs_("N", &unknowns_, &width_, &width_, &one, factors_.data(), &leading_, pivots_.data(),
-            b.data(), &unknowns_, &info, 1);
+    [[maybe_unused]] const lapack_int info =
+        LAPACKE_dgbtrs_work(LAPACK_COL_MAJOR, 'N', unknowns_, width_, width_, 1, factors_.data(),
+                            leading_, pivots_.data(), b.data(), unknowns_);
     assert(info == 0);
   }
 
@@ -75,26 +65,25 @@ class TangentMatrix<dim>::Band {
     for (int c = 0; c < unknowns_; ++c)
       for (int r = c; r <= std::min(c + width_, unknowns_ - 1); ++r)
         lower_(r - c, c) = (entries_(2 * width_ + r - c, c) + entries_(2 * width_ + c - r, r)) / 2;
-    const int leading = width_ + 1;
-    int info = 0;
-    dpbtrf_("L", &unknowns_, &width_, lower_.data(), &leading, &info, 1);
+    const lapack_int info =
+        LAPACKE_dpbtrf_work(LAPACK_COL_MAJOR, 'L', unknowns_, width_, lower_.data(), width_ + 1);
     assert(info >= 0);
     return info == 0;
   }
 
-  int unknowns_, width_ = 0, leading_ = 0;
+  lapack_int unknowns_, width_ = 0, leading_ = 0;
   Eigen::MatrixXd entries_, factors_, lower_;
   Eigen::VectorXd product_;
-  std::vector<int> pivots_;
+  std::vector<lapack_int> pivots_;
 };
 
-// Compressed columns; the rows of a column are those of the coupled nodes, in order.
+// A sparse matrix; the rows of a column are those of the coupled nodes, in order.
 //
 // Solved by Cholesky factors of the symmetric part S where that is positive definite: at once if
 // the matrix is symmetric, else by the iteration of Concus & Golub (1976) and Widlund (1978) for
-// A = S + N with N^T = -N, which needs one solution with S a turn and converges whatever N. The
-// turns are few where N is small, as it is for a step that resolves the motion; where they are
-// many, and where S is not definite, LU factors of the matrix take over.
+// A = S + N with N^T = -N, which solves with S once in an iteration and converges whatever N is.
+// The iterations are few where N is small, as it is for a step that resolves the motion; where they
+// are many, and where S is not definite, LU factors of the matrix take over.
 template <int dim>
 class TangentMatrix<dim>::Sparse {
  public:
@@ -109,27 +98,28 @@ class TangentMatrix<dim>::Sparse {
     }
     for (std::size_t q = 0; q + 1 < node_columns_.size(); ++q)
       node_columns_[q + 1] += node_columns_[q];
-    matrix_.columns.push_back(0);
+    std::vector<int> columns = {0}, rows;
     for (int q = 0; q < nodes; ++q)
       for (int b = 0; b < dim; ++b) {
         for (int k = first(q); k < first(q + 1); ++k)
           for (int a = 0; a < dim; ++a)
-            matrix_.rows.push_back(dim * node_rows_[static_cast<std::size_t>(k)] + a);
-        matrix_.columns.push_back(static_cast<int>(matrix_.rows.size()));
+            rows.push_back(dim * node_rows_[static_cast<std::size_t>(k)] + a);
+        columns.push_back(static_cast<int>(rows.size()));
       }
-    matrix_.values.assign(matrix_.rows.size(), 0);
+    const std::vector<double> zeros(rows.size(), 0.0);
+    const auto order = Eigen::Index{dim} * nodes;
+    matrix_ = Eigen::Map<const SparseTangent>(order, order, static_cast<Eigen::Index>(rows.size()),
+                                              columns.data(), rows.data(), zeros.data());
     cholesky_.emplace(matrix_);
   }
 
-  void set_zero() { std::ranges::fill(matrix_.values, 0.0); }
+  void set_zero() { matrix_.coeffs().setZero(); }
   double* column(int p, int q, int b) {
     const auto begin = node_rows_.begin() + first(q);
     const auto end = node_rows_.begin() + first(q + 1);
     const auto found = std::lower_bound(begin, end, p);
     assert(found != end && *found == p);
-    const auto first_row = static_cast<std::size_t>(
-        matrix_.columns[dim * static_cast<std::size_t>(q) + static_cast<std::size_t>(b)]);
-    return &matrix_.values[first_row + dim * static_cast<std::size_t>(found - begin)];
+    return matrix_.valuePtr() + matrix_.outerIndexPtr()[dim * q + b] + dim * (found - begin);
   }
 
   bool factor() { return factor_if_definite() || factor_general(); }
@@ -147,9 +137,8 @@ class TangentMatrix<dim>::Sparse {
   }
 
   void multiply(Eigen::VectorXd& x) {
-    residual_.setZero(x.size());
-    matrix_.subtract_product(x, residual_);
-    x = -residual_;
+    residual_.noalias() = matrix_ * x;
+    x.swap(residual_);
   }
   void solve_roughly(Eigen::VectorXd& b) {
     if (!uses_cholesky_) return solve(b);
@@ -169,9 +158,9 @@ class TangentMatrix<dim>::Sparse {
     cholesky_->solve(b, solution_);
     return true;
   }
-  // With z = S^-1 (b - A x) and its square z.S z the turns are x_1 = z_0,
+  // With z = S^-1 (b - A x) and its square z.S z the iterates are x_1 = z_0,
   // x_k+1 = x_k-1 + w (x_k - x_k-1 + z_k), 1/w = 1 + z_k.S z_k/(z_k-1.S z_k-1)/(the last w).
-  // Ends with the turn after which z will be small if it shrinks as badly as in the last two.
+  // Ends with the iteration after which z will be small if it shrinks as badly as in the last two.
   bool iterate(const Eigen::VectorXd& b) {
     previous_.setZero(b.size());
     solution_.setZero(b.size());
@@ -179,29 +168,31 @@ class TangentMatrix<dim>::Sparse {
     double first_square = 0;
     double last_square = 0;
     double last_ratio = 0;
-    for (int turn = 0; turn < most_turns; ++turn) {
-      matrix_.evaluate_residual(solution_, b, residual_);
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      residual_ = b;
+      residual_.noalias() -= matrix_ * solution_;
       cholesky_->solve(residual_, correction_);
       const double square = correction_.dot(residual_);
       if (square <= 0) return square == 0;
-      if (turn == 0) first_square = last_square = square;
+      if (iteration == 0) first_square = last_square = square;
       const double ratio = square / last_square;
-      if (turn > 0) w = 1 / (1 + ratio / w);
+      if (iteration > 0) w = 1 / (1 + ratio / w);
       previous_ += w * (solution_ - previous_ + correction_);
       previous_.swap(solution_);
       const double next_square = square * std::max(ratio, last_ratio);
-      if (turn > 0 && next_square <= solution_error * solution_error * first_square) return true;
+      if (iteration > 0 && next_square <= solution_error * solution_error * first_square)
+        return true;
       last_square = square;
-      last_ratio = turn > 0 ? ratio : 0;
+      last_ratio = iteration > 0 ? ratio : 0;
     }
     return false;
   }
 
-  // Beyond as many, factoring anew is cheaper.
-  static constexpr int most_turns = 20;
+  // Where more would be needed, LU factors are cheaper.
+  static constexpr int most_iterations = 20;
 
   std::vector<int> node_rows_, node_columns_;
-  CompressedColumns matrix_;
+  SparseTangent matrix_;
   std::optional<CholeskyFactors> cholesky_;
   std::optional<LuFactors> lu_;  // from the first need
   bool uses_cholesky_ = false;
@@ -209,11 +200,11 @@ class TangentMatrix<dim>::Sparse {
 };
 
 template <int dim>
-TangentMatrix<dim>::TangentMatrix(const std::vector<bool>& is_held,
-                                  const std::vector<std::pair<int, int>>& coupled) {
-  for (std::size_t node = 0; node < is_held.size(); ++node) {
-    number_.push_back(is_held[node] ? -1 : static_cast<int>(free_.size()));
-    if (!is_held[node]) free_.push_back(static_cast<int>(node));
+TangentMatrix<dim>::TangentMatrix(HeldNodes held, const std::vector<std::pair<int, int>>& coupled)
+    : held_(std::move(held)) {
+  for (int node = 0; node < held_.nodes(); ++node) {
+    number_.push_back(held_.contains(node) ? -1 : static_cast<int>(free_.size()));
+    if (!held_.contains(node)) free_.push_back(node);
   }
   for (const auto& [p, q] : coupled) {
     const int row = number_[static_cast<std::size_t>(p)];
@@ -266,12 +257,6 @@ bool TangentMatrix<dim>::factor() {
 template <int dim>
 bool TangentMatrix<dim>::factor_if_definite() {
   return storage_->factor_if_definite();
-}
-
-template <int dim>
-void TangentMatrix<dim>::clear_held(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) const {
-  for (std::size_t node = 0; node < number_.size(); ++node)
-    if (number_[node] < 0) vectors.col(static_cast<Eigen::Index>(node)).setZero();
 }
 
 template <int dim>

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "dns/flag/held_nodes.hpp"
+
 namespace pennon::dns {
 
 template <int dim>
@@ -23,8 +25,8 @@ class TangentMatrix {
   /// Newton's method with a tangent of an earlier iteration contracts less, and does not notice.
   static constexpr double solution_error = 1e-3;
 
-  /// `is_held` for each node; `coupled`: ordered pairs of nodes, each once, (p, p) among them.
-  TangentMatrix(const std::vector<bool>& is_held, const std::vector<std::pair<int, int>>& coupled);
+  /// `coupled`: ordered pairs of nodes, each once, (p, p) among them.
+  TangentMatrix(HeldNodes, const std::vector<std::pair<int, int>>& coupled);
   ~TangentMatrix();
   TangentMatrix(const TangentMatrix&) = delete;
   TangentMatrix& operator=(const TangentMatrix&) = delete;
@@ -37,7 +39,9 @@ class TangentMatrix {
   Eigen::SparseMatrix<double> matrix() const;
   const std::vector<int>& free_nodes() const { return free_; }
   /// Sets the vectors of the held nodes to zero.
-  void clear_held(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) const;
+  void clear_held(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors) const {
+    held_.clear(vectors);
+  }
 
   /// Factors what add() gave. False if it is singular to working precision.
   bool factor();
@@ -60,6 +64,7 @@ class TangentMatrix {
   class Sparse;
   using Storage = std::conditional_t<dim == 2, Band, Sparse>;
 
+  HeldNodes held_;
   std::vector<int> number_;                   // of each node among the free ones, or -1
   std::vector<int> free_;                     // their nodes
   std::vector<std::pair<int, int>> coupled_;  // by rank among the free nodes

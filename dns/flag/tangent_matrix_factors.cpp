@@ -25,47 +25,30 @@ class OneThread {
 
 }  // namespace
 
-void CompressedColumns::evaluate_residual(const Eigen::VectorXd& x, const Eigen::VectorXd& b,
-                                          Eigen::VectorXd& residual) const {
-  residual = b;
-  subtract_product(x, residual);
-}
-
-void CompressedColumns::subtract_product(const Eigen::VectorXd& x, Eigen::VectorXd& sum) const {
-  for (int column = 0; column < order(); ++column)
-    for (int k = columns[static_cast<std::size_t>(column)];
-         k < columns[static_cast<std::size_t>(column) + 1]; ++k)
-      sum[rows[static_cast<std::size_t>(k)]] -= values[static_cast<std::size_t>(k)] * x[column];
-}
-
-CholeskyFactors::CholeskyFactors(const CompressedColumns& pattern) {
+CholeskyFactors::CholeskyFactors(const SparseTangent& pattern) {
   cholmod_start(&common_);
   common_.print = 0;  // its messages: the status says all
   common_.supernodal = CHOLMOD_SUPERNODAL;
   common_.quick_return_if_not_posdef = 1;
-  const auto order = static_cast<std::size_t>(pattern.order());
-  lower_ = cholmod_allocate_sparse(order, order, (pattern.rows.size() + order) / 2, 1, 1, -1,
-                                   CHOLMOD_REAL, &common_);
+  const auto order = static_cast<std::size_t>(pattern.cols());
+  const auto entries = static_cast<std::size_t>(pattern.nonZeros());
+  lower_ = cholmod_allocate_sparse(order, order, (entries + order) / 2, 1, 1, -1, CHOLMOD_REAL,
+                                   &common_);
   if (lower_ == nullptr) throw std::bad_alloc();
   auto* first = static_cast<int*>(lower_->p);
   auto* rows = static_cast<int*>(lower_->i);
-  const auto entries = [&](int column) {
-    return std::pair(pattern.columns[static_cast<std::size_t>(column)],
-                     pattern.columns[static_cast<std::size_t>(column) + 1]);
-  };
-  for (int column = 0; column < pattern.order(); ++column) {
+  const int* begins = pattern.outerIndexPtr();
+  const int* rows_of_pattern = pattern.innerIndexPtr();
+  for (int column = 0; column < pattern.cols(); ++column) {
     first[column] = static_cast<int>(pairs_.size());
-    const auto [begin, end] = entries(column);
-    for (int k = begin; k < end; ++k) {
-      const int row = pattern.rows[static_cast<std::size_t>(k)];
+    for (int k = begins[column]; k < begins[column + 1]; ++k) {
+      const int row = rows_of_pattern[k];
       if (row < column) continue;
-      const auto [mirror_begin, mirror_end] = entries(row);
-      const auto mirrored = std::lower_bound(pattern.rows.begin() + mirror_begin,
-                                             pattern.rows.begin() + mirror_end, column);
-      assert(mirrored != pattern.rows.begin() + mirror_end && *mirrored == column);
+      const int* const end = rows_of_pattern + begins[row + 1];
+      const int* const mirrored = std::lower_bound(rows_of_pattern + begins[row], end, column);
+      assert(mirrored != end && *mirrored == column);
       rows[pairs_.size()] = row;
-      pairs_.push_back(
-          {static_cast<std::size_t>(k), static_cast<std::size_t>(mirrored - pattern.rows.begin())});
+      pairs_.push_back({k, mirrored - rows_of_pattern});
     }
   }
   first[order] = static_cast<int>(pairs_.size());
@@ -82,14 +65,15 @@ CholeskyFactors::~CholeskyFactors() {
   cholmod_finish(&common_);
 }
 
-bool CholeskyFactors::factor(const CompressedColumns& matrix) {
+bool CholeskyFactors::factor(const SparseTangent& matrix) {
   constexpr double rounding = 1e-12;  // of the largest entry
   auto* entries = static_cast<double*>(lower_->x);
+  const double* values = matrix.valuePtr();
   double largest = 0;
   double largest_difference = 0;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const double entry = matrix.values[pairs_[k].entry];
-    const double mirrored = matrix.values[pairs_[k].mirrored];
+    const double entry = values[pairs_[k].entry];
+    const double mirrored = values[pairs_[k].mirrored];
     entries[k] = (entry + mirrored) / 2;
     largest = std::max(largest, std::abs(entry));
     largest_difference = std::max(largest_difference, std::abs(entry - mirrored));
@@ -119,12 +103,13 @@ void CholeskyFactors::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x), b.size());
 }
 
-LuFactors::LuFactors(const CompressedColumns& pattern)
-    : integers_(pattern.columns.size() - 1), reals_(pattern.columns.size() - 1) {
+LuFactors::LuFactors(const SparseTangent& pattern)
+    : integers_(static_cast<std::size_t>(pattern.cols())), reals_(integers_.size()) {
   umfpack_di_defaults(control_.data());
   control_[UMFPACK_IRSTEP] = 0;  // Newton's method refines by itself
-  umfpack_di_symbolic(pattern.order(), pattern.order(), pattern.columns.data(), pattern.rows.data(),
-                      nullptr, &symbolic_, control_.data(), nullptr);
+  const auto order = static_cast<int>(pattern.cols());
+  umfpack_di_symbolic(order, order, pattern.outerIndexPtr(), pattern.innerIndexPtr(), nullptr,
+                      &symbolic_, control_.data(), nullptr);
 }
 
 LuFactors::~LuFactors() {
@@ -132,16 +117,15 @@ LuFactors::~LuFactors() {
   umfpack_di_free_numeric(&numeric_);
 }
 
-bool LuFactors::factor(const CompressedColumns& matrix) {
+bool LuFactors::factor(const SparseTangent& matrix) {
   umfpack_di_free_numeric(&numeric_);
-  return umfpack_di_numeric(matrix.columns.data(), matrix.rows.data(), matrix.values.data(),
+  return umfpack_di_numeric(matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
                             symbolic_, &numeric_, control_.data(), nullptr) == UMFPACK_OK;
 }
 
-void LuFactors::solve(const CompressedColumns& matrix, const Eigen::VectorXd& b,
-                      Eigen::VectorXd& x) {
+void LuFactors::solve(const SparseTangent& matrix, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   x.resize(b.size());
-  umfpack_di_wsolve(UMFPACK_A, matrix.columns.data(), matrix.rows.data(), matrix.values.data(),
+  umfpack_di_wsolve(UMFPACK_A, matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr(),
                     x.data(), b.data(), numeric_, control_.data(), nullptr, integers_.data(),
                     reals_.data());
 }

@@ -1,40 +1,33 @@
 /// Factors of a sparse square matrix by SuiteSparse (Davis 2006): the two ways in which the tangent
 /// of a flag with a span is solved. The pattern is analysed once.
+///
+/// Eigen's interfaces to SuiteSparse are not used: they allocate in each solution, do not form the
+/// symmetric part of a matrix in the pattern of its lower triangle, and leave CHOLMOD its threads,
+/// which slow it down here.
 #pragma once
 
 #include <cholmod.h>
 #include <umfpack.h>
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <array>
 #include <vector>
 
 namespace pennon::dns {
 
-/// Rows increase along each column; the pattern is symmetric, the values need not be.
-struct CompressedColumns {
-  std::vector<int> columns;  ///< where each begins in `rows`, and the end of the last
-  std::vector<int> rows;
-  std::vector<double> values;
-
-  int order() const { return static_cast<int>(columns.size()) - 1; }
-  /// b - A x, into `residual`.
-  void evaluate_residual(const Eigen::VectorXd& x, const Eigen::VectorXd& b,
-                         Eigen::VectorXd& residual) const;
-  /// Subtracts A x.
-  void subtract_product(const Eigen::VectorXd& x, Eigen::VectorXd& sum) const;
-};
+/// A matrix to be factored: compressed, of a symmetric pattern; its values need not be symmetric.
+using SparseTangent = Eigen::SparseMatrix<double>;
 
 /// The symmetric part (A + A^T)/2 by CHOLMOD's supernodal Cholesky factors.
 class CholeskyFactors {
  public:
-  explicit CholeskyFactors(const CompressedColumns& pattern);
+  explicit CholeskyFactors(const SparseTangent& pattern);
   ~CholeskyFactors();
   CholeskyFactors(const CholeskyFactors&) = delete;
   CholeskyFactors& operator=(const CholeskyFactors&) = delete;
 
   /// False if the symmetric part is not positive definite.
-  bool factor(const CompressedColumns& matrix);
+  bool factor(const SparseTangent& matrix);
   /// Whether the factored matrix was symmetric but for rounding.
   bool is_exact() const { return is_exact_; }
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
@@ -42,7 +35,7 @@ class CholeskyFactors {
  private:
   // An entry on or below the diagonal and its mirror image, by their places in the matrix.
   struct Pair {
-    std::size_t entry, mirrored;
+    Eigen::Index entry, mirrored;
   };
 
   cholmod_common common_{};
@@ -58,15 +51,15 @@ class CholeskyFactors {
 /// Any regular matrix by UMFPACK's LU factors.
 class LuFactors {
  public:
-  explicit LuFactors(const CompressedColumns& pattern);
+  explicit LuFactors(const SparseTangent& pattern);
   ~LuFactors();
   LuFactors(const LuFactors&) = delete;
   LuFactors& operator=(const LuFactors&) = delete;
 
   /// False if the matrix is singular to working precision.
-  bool factor(const CompressedColumns& matrix);
+  bool factor(const SparseTangent& matrix);
   /// `matrix`: the one that was factored.
-  void solve(const CompressedColumns& matrix, const Eigen::VectorXd& b, Eigen::VectorXd& x);
+  void solve(const SparseTangent& matrix, const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
  private:
   std::array<double, UMFPACK_CONTROL> control_{};

@@ -12,16 +12,20 @@ using petsc::check;
 
 double* KrylovSpace::vector(std::size_t k, std::size_t length) {
   const std::size_t vectors_of_block = longest_ / length, block = k / vectors_of_block;
-  while (blocks_.size() <= block)  // not filled: what no solver writes to takes no memory
+  while (blocks_.size() <= block)  // left uninitialised, see KrylovSpace
     blocks_.push_back(std::make_unique_for_overwrite<double[]>(longest_));
   return blocks_[block].get() + (k % vectors_of_block) * length;
 }
 
 namespace {
 
+// How PETSc is made to keep a solver's vectors in a KrylovSpace. A vector of the solver carries, as
+// a composed object of this name, a Hold on its place in the space. VecDuplicate is replaced by
+// duplicate_in_space(), which takes a free place for the new vector; the Hold gives it back when
+// PETSc destroys the vector.
 constexpr const char* space_of_vector = "pennon_krylov_space";
 
-// What the vectors of a solver have in common: their space, and which places of it they hold.
+// The space of a solver, and which of its places the solver's vectors take.
 struct SharedVectors {
   std::shared_ptr<KrylovSpace> space;
   std::vector<bool> is_taken;
@@ -37,7 +41,8 @@ struct SharedVectors {
   }
 };
 
-// A vector's hold on its place, or (the solver's own right side and solution) on none.
+// The place of a vector. The right side and the solution of a solver, from which PETSc duplicates
+// the others, have none: their numbers belong to the caller of solve().
 struct Hold {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   SharedVectors* vectors;
@@ -52,7 +57,7 @@ PetscErrorCode release(void* hold) {
 
 PetscErrorCode duplicate_in_space(Vec like, Vec* vector);
 
-// Lets a vector be duplicated in the space, and holds its place in it while the vector lives.
+// Attaches the hold to the vector, and makes duplicates of the vector be made in the space.
 void keep_in_space(Vec vector, std::unique_ptr<Hold> hold) {
   petsc::Handle<PetscContainer, PetscContainerDestroy> container;
   const auto object = reinterpret_cast<PetscObject>(vector);
@@ -67,7 +72,7 @@ void keep_in_space(Vec vector, std::unique_ptr<Hold> hold) {
 
 // VecDuplicate for the vectors of a solver.
 PetscErrorCode duplicate_in_space(Vec like, Vec* vector) {
-  std::exception_ptr caught;  // PETSc says the rest
+  std::exception_ptr caught;  // dropped: PETSc's error code becomes an exception in solve()
   return petsc::guarded(caught, [&] {
     PetscObject container = nullptr;
     void* pointer = nullptr;
@@ -163,7 +168,7 @@ KrylovSummary Krylov::solve(const double* b, double* x, double tolerance, double
   Implementation& self = *implementation_;
   check(KSPSetTolerances(self.method, relative, tolerance * self.root_unknowns, PETSC_DEFAULT,
                          PETSC_DEFAULT));
-  // What is wanted relative to x = 0 starts there, and spares the first residual.
+  // A tolerance relative to x = 0 needs the residual there; starting there gives it for nothing.
   check(
       KSPSetInitialGuessNonzero(self.method, relative > least_relative ? PETSC_FALSE : PETSC_TRUE));
   check(VecPlaceArray(self.b, b));

@@ -5,21 +5,9 @@
 
 #include "modes/normal/bessel_zero.hpp"
 #include "modes/normal/tension.hpp"
+#include "modes/normal/wave_panels.hpp"
 
 namespace pennon::modes {
-namespace {
-
-// The quadrature integrates the product of two waves that turn by this much each to roundoff.
-constexpr double radians_per_panel = 5;
-
-std::vector<double> panels_for(double largest_alpha) {
-  const auto count = static_cast<int>(std::ceil(largest_alpha / radians_per_panel)) + 1;
-  std::vector<double> panels;
-  for (int i = 0; i <= count; ++i) panels.push_back(static_cast<double>(i) / count);
-  return panels;
-}
-
-}  // namespace
 
 NormalModes bessel_modes(const ModeRange& range, const FlagParameters& flag,
                          const FlowParameters& flow) {
@@ -35,7 +23,7 @@ NormalModes bessel_modes(const ModeRange& range, const FlagParameters& flag,
                               slope * slope / 2,
                               [n, alpha](double y) { return bessel_j(n, alpha * (1 - y)); }});
     }
-  result.panels = panels_for(largest_alpha);
+  result.panels = wave_panels(largest_alpha, [](double share) { return share; });
   return result;
 }
 

@@ -4,8 +4,8 @@
 ///
 /// with J_n(alpha_nm) = 0, orthogonal with the weight w = 1-y. They solve C 1 in its consistent
 /// form zeta_tt = c^2 (zeta_ss + zeta_s/s + zeta_xx/s^2), s = 1-y, in which x is the angle of a
-/// wedge; for n >= 1 they vanish at the trailing edge too. Bending, the Poisson ratio and the hold
-/// of the leading edge do not enter.
+/// wedge; for n >= 1 they vanish at the trailing edge too. They depend neither on bending nor on
+/// the Poisson ratio nor on how the leading edge is held.
 #pragma once
 
 #include "modes/normal/normal_modes.hpp"

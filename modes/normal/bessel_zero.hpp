@@ -11,12 +11,12 @@ namespace pennon::modes {
 inline constexpr int largest_n = 200;   ///< of n
 inline constexpr int largest_m = 1000;  ///< of m
 
-/// For 0 <= n <= largest_n and 1 <= m <= largest_m, to 2e-16 relative.
-/// Throws InputError outside that, SolverError where GSL's zero is not near one of J_n.
+/// alpha_nm for 0 <= n <= largest_n and 1 <= m <= largest_m, to 2e-16 relative. Throws InputError
+/// for other n and m, SolverError where GSL's zero is not near one of J_n.
 double bessel_zero(int n, int m);
 
-/// J_n(x) for n >= 0, of the C library: near its zeros more accurate than GSL's, and 0 where it
-/// underflows (GSL calls that an error).
+/// J_n(x) for n >= 0 by the C library. Near its zeros it is more accurate than GSL's; where it
+/// underflows it is 0, which GSL reports as an error.
 double bessel_j(int n, double x);
 
 }  // namespace pennon::modes

@@ -46,8 +46,8 @@ ExtendedSparse sparse(Eigen::Index rows, Eigen::Index columns, const Triplets& e
 }
 
 // Three rows for each quadrature point.
-Pencil assemble(const ChordwiseProblem& problem, const SplineSpace& space,
-                const Admitted& admitted) {
+GeneralisedEigenproblem assemble(const ChordwiseProblem& problem, const SplineSpace& space,
+                                 const Admitted& admitted) {
   Triplets E, S, R;
   Eigen::Index row = 0;
   for (const QuadraturePoint& point : gauss_legendre(space.breaks())) {

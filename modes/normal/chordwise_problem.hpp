@@ -6,12 +6,13 @@
 ///
 ///   K_B [(Y'' - k_x^2 Y)^2 + 2(1-nu_s)(k_x^2 Y Y'' + k_x^2 Y'^2)] + T Y'^2 + R Y^2
 ///
-/// over that of w Y^2. The plate's term is Kirchhoff's, so the free edge y = 1 meets by itself
+/// over that of w Y^2. The plate's term is Kirchhoff's, so its natural conditions hold at the free
+/// edge y = 1:
 ///
 ///   Y'' - nu_s k_x^2 Y = 0,   K_B (Y''' - (2-nu_s) k_x^2 Y') = T Y'.
 ///
-/// T is the chordwise tension, R the spanwise one times k_x^2, w the mass over mu. Scales L, V,
-/// rho_f.
+/// T is the chordwise tension, R the spanwise one times k_x^2, w the mass over mu. The scales are
+/// L, V and rho_f.
 #pragma once
 
 #include <string>
@@ -40,7 +41,7 @@ struct ChordwiseShapes {
   double worst_residual;
 };
 
-/// The `count` lowest. Throws SolverError, which begins with `what`; see
+/// The `count` shapes with the lowest lambda. Throws SolverError, which begins with `what`; see
 /// generalised_eigenproblem.hpp. Precondition: count < space.size() - 2.
 ChordwiseShapes solve(const ChordwiseProblem&, const SplineSpace&, int count,
                       const std::string& what);

@@ -3,9 +3,9 @@
 ///   zeta(x, y) = sum over n, m of Y_nm(y) (A_nm cos(k_x x) + B_nm sin(k_x x)),   k_x = 2 pi
 ///   n/gamma
 ///
-/// From a function, the amplitudes are its projections: the integrals over 0 <= y <= 1 with the
-/// family's weight w (quadrature of the family's panels), and over one period in x (trapezoid
-/// rule). From samples, they are those of least squares, each sample weighted by w.
+/// The amplitudes of a function are its projections: integrals over 0 <= y <= 1 with the family's
+/// weight w, by quadrature on the family's panels, and over one period in x, by the trapezoid rule.
+/// The amplitudes of samples solve a least-squares problem in which each sample is weighted by w.
 #pragma once
 
 #include <Eigen/Dense>
@@ -37,17 +37,18 @@ struct Fit {
 
 struct Decomposition {
   std::vector<Amplitude> amplitudes;  ///< in the order of NormalModes::modes
-  /// Norm of what the sum leaves of zeta, over that of zeta: the square root of the integral (for
-  /// samples the sum) of w zeta^2. 0 for zeta = 0.
+  /// The norm of zeta minus the sum, over the norm of zeta; the norm is the square root of the
+  /// integral (for samples the sum) of w zeta^2. 0 for zeta = 0.
   double truncation_error;
   std::optional<Fit> fit;  ///< of samples
 };
 
-/// Exact along the span where zeta has at most `waves` waves in a period.
+/// The decomposition of a function. It is exact along the span where zeta has at most `waves` waves
+/// in a period.
 Decomposition decompose(const NormalModes&, const Displacement&, int waves = 64);
 
-/// `where` names the samples in faults. Throws InputError if they are fewer than the unknown
-/// amplitudes, or lie so that some sum of modes vanishes at all of them.
+/// The decomposition of samples. `where` names them in messages. Throws InputError if they are
+/// fewer than the unknown amplitudes, or lie so that some sum of modes vanishes at all of them.
 Decomposition decompose(const NormalModes&, std::span<const Sample>, const std::string& where);
 
 /// The sum at a point, 0 <= y <= 1.

@@ -1,6 +1,6 @@
 /// Quadrature over panels of the chord, exact where the integrand in a panel is a polynomial in
-/// sqrt(y) of degree 38: what the square root in the Blasius tension leaves of the splines of
-/// degree 8.
+/// sqrt(y) of degree 38: that holds for the energies of splines of degree 8 under the Blasius
+/// tension, which has a square root in it.
 #pragma once
 
 #include <span>

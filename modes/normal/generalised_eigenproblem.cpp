@@ -22,9 +22,9 @@ constexpr double sufficient_residual = 1e-12;
 // The products ARPACK and the corrections need.
 class Operators {
  public:
-  Operators(const Pencil& pencil, double shift, const std::string& what)
-      : pencil_(pencil), mass_(pencil.E.transpose() * pencil.R * pencil.E) {
-    const ExtendedSparse stiffness = pencil.E.transpose() * pencil.S * pencil.E;
+  Operators(const GeneralisedEigenproblem& problem, double shift, const std::string& what)
+      : problem_(problem), mass_(problem.E.transpose() * problem.R * problem.E) {
+    const ExtendedSparse stiffness = problem.E.transpose() * problem.S * problem.E;
     factors_.compute(stiffness + static_cast<Extended>(shift) * mass_);
     if (factors_.info() != Eigen::Success || !(factors_.vectorD().minCoeff() > 0))
       throw SolverError(
@@ -35,7 +35,7 @@ class Operators {
 
   // K v, from its factors.
   ExtendedMatrix stiffness_times(const ExtendedMatrix& v) const {
-    return pencil_.E.transpose() * (pencil_.S * (pencil_.E * v));
+    return problem_.E.transpose() * (problem_.S * (problem_.E * v));
   }
   // M v.
   ExtendedMatrix mass_times(const ExtendedMatrix& v) const { return mass_ * v; }
@@ -49,7 +49,7 @@ class Operators {
   }
 
  private:
-  const Pencil& pencil_;
+  const GeneralisedEigenproblem& problem_;
   ExtendedSparse mass_;
   Eigen::SimplicialLDLT<ExtendedSparse> factors_;
 };
@@ -158,11 +158,11 @@ ExtendedMatrix correction_of(const Eigenpairs& pairs, const Operators& operators
 
 }  // namespace
 
-Eigenpairs lowest_eigenpairs(const Pencil& pencil, int count, double shift,
+Eigenpairs lowest_eigenpairs(const GeneralisedEigenproblem& problem, int count, double shift,
                              const std::string& what) {
-  const auto size = static_cast<a_int>(pencil.E.cols());
+  const auto size = static_cast<a_int>(problem.E.cols());
   assert(count > 0 && count < size && shift > 0);
-  const Operators operators(pencil, shift, what);
+  const Operators operators(problem, shift, what);
   const Eigen::MatrixXd found = Lanczos(size, count).run(operators, what);
   Eigenpairs pairs = rayleigh_ritz(operators, found.cast<Extended>(), what);
   double residual = std::numeric_limits<double>::infinity();

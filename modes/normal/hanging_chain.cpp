@@ -5,22 +5,16 @@
 
 #include "modes/normal/bessel_zero.hpp"
 #include "modes/normal/tension.hpp"
+#include "modes/normal/wave_panels.hpp"
 
 namespace pennon::modes {
 namespace {
 
-// The quadrature integrates the product of two waves that turn by this much each to roundoff.
-constexpr double radians_per_panel = 5;
-
-// Narrower toward the trailing edge, so that alpha sqrt(1-y) turns equally in each.
-std::vector<double> panels_for(double largest_alpha) {
-  const auto count = static_cast<int>(std::ceil(largest_alpha / radians_per_panel)) + 1;
-  std::vector<double> panels;
-  for (int i = 0; i <= count; ++i) {
-    const double root = 1 - static_cast<double>(i) / count;
-    panels.push_back(1 - root * root);
-  }
-  return panels;
+// Where alpha sqrt(1 - y) has fallen by this share of alpha: the panels are narrower toward the
+// trailing edge.
+double y_at(double share) {
+  const double root = 1 - share;
+  return 1 - root * root;
 }
 
 }  // namespace
@@ -42,7 +36,7 @@ NormalModes hanging_chain_modes(const ModeRange& range, const FlagParameters& fl
                                 return bessel_j(0, alpha * std::sqrt(std::max(0.0, 1 - y)));
                               }});
     }
-  result.panels = panels_for(largest_alpha);
+  result.panels = wave_panels(largest_alpha, y_at);
   return result;
 }
 

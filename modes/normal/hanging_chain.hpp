@@ -7,8 +7,8 @@
 /// with J_0(alpha_0m) = 0, orthogonal with the weight w = 1: the modes of a hanging chain (D.
 /// Bernoulli 1738). Appendix C of Banerjee, Connell & Yue (2015) makes these assumptions in words
 /// ("the spanwise tension is bounded by the maximum chordwise tension"), but writes C 1, see
-/// bessel.hpp. The trailing edge moves for every n. Bending and the hold of the leading edge do not
-/// enter.
+/// bessel.hpp. The trailing edge moves for every n. The modes depend neither on bending nor on how
+/// the leading edge is held.
 #pragma once
 
 #include "modes/normal/normal_modes.hpp"

@@ -10,10 +10,10 @@
 ///                                                   edges for n >= 1
 ///
 /// `blasius` is the consistent form of Banerjee, Connell & Yue (2015, above 4.1), who print
-/// sqrt(y). Solved as in chordwise_problem.hpp, Y scaled so that the integral of w Y^2 is 1, Y > 0
-/// at the trailing edge or where it first moves upstream of it. 200 elements give the first 20
-/// frequencies to 1e-11 or better at all but extreme parameters; where fewer elements would change
-/// omega^2 by more than 1e-9 of itself, the modes are refused.
+/// sqrt(y). The modes are solved for as in chordwise_problem.hpp and scaled so that the integral of
+/// w Y^2 is 1 and Y > 0 at the trailing edge or where it first moves upstream of it. 200 elements
+/// give the first 20 frequencies to 1e-11 or better at all but extreme parameters; where fewer
+/// elements would change omega^2 by more than 1e-9 of itself, the modes are refused.
 #pragma once
 
 #include "modes/normal/chordwise_problem.hpp"
@@ -23,7 +23,7 @@ namespace pennon::modes {
 
 enum class TensionProfile { blasius, linear, constant, wedge };
 
-/// Seconds for 20 modes, a minute or two for this many: the cost grows with the third power.
+/// Twenty modes take seconds, this many a minute or two: the cost grows with the third power.
 inline constexpr int most_modes_in_vacuo = 200;
 
 /// The problem of the modes with n waves along the span.
@@ -34,9 +34,9 @@ ChordwiseProblem chordwise_problem(TensionProfile, int n, double T_0, const Flag
 /// square root in `blasius`.
 SplineSpace spline_space(TensionProfile, int elements, int n, double T_0, const FlagParameters&);
 
-/// Precondition: mu > 0. Throws InputError where neither tension nor bending holds the flag, or
-/// `elements` are fewer than 2 m. alpha is NaN without a stream. SolverError where the
-/// elements are too few or as in generalised_eigenproblem.hpp, Interrupted between two n.
+/// Precondition: mu > 0. alpha is NaN without a stream. Throws InputError where neither tension nor
+/// bending holds the flag, or `elements` are fewer than 2 m; SolverError where the elements are too
+/// few or lowest_eigenpairs() fails; Interrupted between two n.
 NormalModes in_vacuo_modes(const ModeRange&, const FlagParameters&, const FlowParameters&,
                            TensionProfile, int elements);
 

@@ -19,7 +19,7 @@ class InitialShape {
 
   /// zeta at a point, 0 <= y <= 1.
   double operator()(double x, double y) const;
-  /// N.
+  /// The N of the sum.
   int largest_wave() const { return static_cast<int>(waves_.size()) - 1; }
 
  private:

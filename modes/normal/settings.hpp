@@ -30,7 +30,7 @@ struct Settings {
   DecomposeSettings decompose;
 };
 
-/// As the case file writes it.
+/// The family as a case file names it.
 const std::string& name_of(Family);
 
 void declare(Schema&, Settings&);
@@ -39,7 +39,8 @@ void declare(Schema&, Settings&);
 /// decomposition of nothing or of two things.
 void check(const Settings&, const FlagParameters&, const FlowParameters&, Faults&);
 
-/// The n in order, each once; n = 0, 1, 2 where the case names none, in two dimensions 0.
+/// The n of the case in increasing order, each once. Where the case names none they are 0, 1 and 2,
+/// in two dimensions 0 alone.
 ModeRange mode_range(const Settings&, const FlagParameters&);
 
 }  // namespace pennon::modes

@@ -1,9 +1,9 @@
 /// Splines of degree 8 on the chord 0 <= y <= 1, with seven continuous derivatives at the knots:
-/// the space in which the modes of the flag in vacuum are sought. Eigenvalues converge with the 2 x
-/// 8th power of the element size where the modes are smooth.
+/// the space in which the modes of the flag in vacuum are sought. Eigenvalues converge with the
+/// 16th power of the element size where the modes are smooth.
 ///
-/// All in extended precision (`Extended`): the bending energy of a flag's rigid motion must cancel
-/// to zero among terms that grow with the inverse cube of the element size.
+/// All numbers have extended precision (`Extended`): the bending energy of a flag's rigid motion
+/// must cancel to zero among terms that grow with the inverse cube of the element size.
 #pragma once
 
 #include <Eigen/Dense>

@@ -86,7 +86,7 @@ analysis::Figure figure(const std::string& title, std::vector<double> values) {
   figure.x = {"{/:Italic R} = {/:Italic K}/({/:Italic c_m κ}^2)", true, {}, {}};
   figure.y = {"{/:Italic m} = {/:Italic μ}/{/:Italic c_m}", true, {}, {}};
   figure.field =
-      analysis::Field{axis(), axis(), std::move(values),
+      analysis::FigureField{axis(), axis(), std::move(values),
                       "log_{10} of the worst relative error of the roots, in ulps", false};
   return figure;
 }

@@ -1,6 +1,6 @@
 /// The fluid's response in a window of the angular frequency as a map uses it: a fit
-/// (sampled_fit.hpp), its form in a basis of the flag's shapes, and the response itself where it
-/// was asked to check the map.
+/// (sampled_fit.hpp), the fit in a basis of the flag's shapes, and the values of the response that
+/// were computed to check the map.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,12 @@
 
 namespace pennon::modes::global {
 
-/// A point of a map: of which flag, and which mass ratio.
+/// A point of a map, by the index of its flag and of its mass ratio.
 struct MapPlace {
   std::size_t column, m;
 };
 
+/// The response itself at lambda of a point of the map.
 struct ResponseCheck {
   MapPlace at;
   MatrixSample sample;
@@ -28,23 +29,24 @@ class CheckedFit {
 
   const Interval& window() const { return window_; }
   const SampledFit& fit() const { return fit_; }
-  /// Those at which lambda was right, which are not part of the fit.
+  /// The checks that found lambda right; their values are not part of the fit.
   std::vector<ResponseCheck> checks;
-  std::size_t samples_off_axis = 0;
+  std::size_t samples_off_axis = 0;  ///< samples that add_off_axis() gave the fit
 
-  /// For a map that is found with this basis.
+  /// Projects the fit and its coarser form on the basis.
   void reduce(const FlagBasis&);
+  /// The fit in the basis of the last reduce().
   Aerodynamics small() const { return aerodynamics_of(small_); }
-  /// In the basis, of a fit that is a hundred times less close.
+  /// SampledFit::coarser() in the basis.
   Aerodynamics coarse() const { return aerodynamics_of(coarse_); }
-  /// Whether the fit is still that of small().
+  /// Whether small() is the fit as it is now: add_off_axis() leaves small() as it was.
   bool is_reduced() const { return is_reduced_; }
 
-  /// The response next to where it is known: the fit, moved by what it misses there.
+  /// F near a sample: the fit plus its error at the sample, so that it agrees with the sample.
   Aerodynamics through(const MatrixSample&) const;
-  /// From the nearest lambda at which it is known, by the fit or a check.
+  /// The distance of lambda from the nearest sample of the fit or check.
   double distance_from_known(std::complex<double> lambda) const;
-  /// See SampledFit::add.
+  /// Makes the sample part of the fit, see SampledFit::add.
   void add_off_axis(MatrixSample, double closer, const FlagBasis&);
 
  private:

@@ -6,7 +6,7 @@
 namespace pennon::modes::global {
 namespace {
 
-// Keeps what it follows where it grows most.
+// Follows modes over the mass ratios and keeps the one that leads at each.
 class Tracer {
  public:
   Tracer(const ResponseInWindow& response, std::size_t window, const FlagOperator& flag,
@@ -34,8 +34,8 @@ class Tracer {
   bool step(std::size_t m) {
     auto mode = followed(F_, flag_, before_, last_, mu_[m]);
     if (!mode) return false;
-    std::optional<ColumnMode>& most = column_.most[m];
-    if (!most || mode->lambda.real() > most->mode.lambda.real()) most = {window_, *mode};
+    std::optional<ColumnMode>& leading = column_.leading[m];
+    if (!leading || mode->lambda.real() > leading->mode.lambda.real()) leading = {window_, *mode};
     // A neutral mode next to this mass ratio is too near to tell how the curve bends.
     if (std::abs(last_.mu - mu_[m]) > nearest * mu_[m]) before_ = std::move(last_);
     last_ = {mu_[m], std::move(*mode)};
@@ -53,10 +53,11 @@ class Tracer {
   FollowedMode last_{};
 };
 
-// Those known, found again; none where one is lost.
+// The neutral modes of the known column as they are with this response; none where one of them is
+// not found again.
 std::vector<NeutralMode> found_again(const ResponseInWindow& response, std::size_t window,
                                      const FlagOperator& flag, const MapColumn& known) {
-  constexpr double same = 0.01;  // of omega, and of the logarithm of mu
+  constexpr double same = 0.01;  // in omega, and relatively in mu
   std::vector<NeutralMode> found;
   for (const ColumnNeutral& before : known.neutral) {
     if (before.window != window) continue;
@@ -75,7 +76,7 @@ MapColumn map_column(const std::vector<ResponseInWindow>& responses, const FlagO
                      const std::vector<double>& mu, const Interval& mu_of_modes,
                      const AcceptNeutral& is_accepted, const MapColumn* known) {
   MapColumn column;
-  column.most.resize(mu.size());
+  column.leading.resize(mu.size());
   for (std::size_t window = 0; window < responses.size(); ++window) {
     const ResponseInWindow& response = responses[window];
     std::vector<NeutralMode> neutral;

@@ -1,6 +1,6 @@
 /// The modes of a flag over a list of mass ratios, for one flow and one K: a column of a map of
-/// growth rates. Every mode that grows somewhere does so from some mass ratio on; it is followed
-/// over mu from where it is neutral, up and down.
+/// growth rates. A mode that grows at some mass ratio and decays at another is neutral between
+/// them; it is followed from there to larger and to smaller mass ratios.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct ResponseInWindow {
 };
 
 struct ColumnMode {
-  std::size_t window;  ///< in which it is neutral
+  std::size_t window;  ///< the one in which the mode is neutral
   FlagMode mode;
 };
 
@@ -30,16 +30,17 @@ struct ColumnNeutral {
 };
 
 struct MapColumn {
-  /// For each mass ratio the mode that grows most, where there is one.
-  std::vector<std::optional<ColumnMode>> most;
-  std::vector<ColumnNeutral> neutral;  ///< all neutral modes, by their mass ratios
+  /// For each mass ratio the mode with the largest growth rate, where there is a mode.
+  std::vector<std::optional<ColumnMode>> leading;
+  std::vector<ColumnNeutral> neutral;  ///< all neutral modes, by increasing mass ratio
 };
 
 using AcceptNeutral = std::function<bool(std::size_t window, const NeutralMode&)>;
 
-/// `mu`: increasing. `mu_of_modes`: neutral modes are sought there; or where they were in `known`,
-/// the column with a slightly different response, as far as they are found again. Only those that
-/// are accepted are followed.
+/// `mu` increases. Neutral modes are sought with mass ratios in `mu_of_modes`. Where `known` is
+/// given, the same column with a slightly different response, the search begins at its neutral
+/// modes instead and covers the whole window only if one of them is not found again. Neutral modes
+/// that are not accepted are dropped; the others are followed.
 MapColumn map_column(const std::vector<ResponseInWindow>&, const FlagOperator& flag,
                      const std::vector<double>& mu, const Interval& mu_of_modes,
                      const AcceptNeutral& is_accepted, const MapColumn* known = nullptr);

@@ -5,8 +5,8 @@
 ///   r(lambda) = sum_j w_j F_j / (lambda - lambda_j)  /  sum_j w_j / (lambda - lambda_j).
 ///
 /// Support points are taken one by one where the error is largest; the weights make the linearised
-/// residual at the other samples least. For a lambda the function is a combination of the F_j, one
-/// product of a matrix and a vector.
+/// residual at the other samples least. An evaluation is a linear combination of the F_j: the
+/// product of one matrix and one vector.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,16 +31,16 @@ class RationalFit {
   /// r'(lambda) x.
   Eigen::VectorXcd derivative(std::complex<double> lambda, const Eigen::VectorXcd& x) const;
 
-  /// V^H r(lambda) V, of the same weights.
+  /// V^H r(lambda) V, with the same support points and weights.
   RationalFit projected(const Eigen::MatrixXcd& V) const;
 
   std::size_t support_points() const { return static_cast<std::size_t>(lambda_.size()); }
-  /// At the samples, as the tolerance counts it. What it is elsewhere they cannot say.
+  /// The error at the samples, measured as `tolerance` is. It says nothing about other lambda.
   double error_at_samples() const { return error_; }
 
  private:
   RationalFit() = default;
-  // Those of the F_j in r and in r'.
+  // The coefficients of the F_j in r and in r'.
   Eigen::VectorXcd shares(std::complex<double> lambda) const;
   Eigen::VectorXcd shares_of_derivative(std::complex<double> lambda) const;
 

@@ -15,16 +15,20 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int first_samples = 9;
-constexpr std::size_t checks_in_turn = 3;
-constexpr double least_goal = 1e-11;  // above the rounding of the samples
-constexpr double of_tolerance = 0.1;  // the fit goes closer to its samples than it is asked to be
+// New samples in succession that must be within the tolerance: one alone may lie where the fit is
+// right by chance.
+constexpr std::size_t checks_in_succession = 3;
+// A smaller error at the samples than this would fit their rounding.
+constexpr double least_goal = 1e-11;
+// The error at the samples, as a share of the tolerance, which is for the error between them.
+constexpr double share_at_samples = 0.1;
 
 std::vector<MatrixSample> all_but_last(std::vector<MatrixSample> samples) {
   samples.pop_back();
   return samples;
 }
 
-// Where two fits differ most, among the middles of neighbouring samples.
+// The middle of two neighbouring samples at which two fits differ most.
 double most_doubtful(const std::vector<MatrixSample>& samples, const RationalFit& a,
                      const RationalFit& b) {
   std::vector<double> omega;
@@ -79,20 +83,20 @@ SampledFit sampled_fit(const SampleOf& F, const Interval& omega, double toleranc
   for (int i = 0; i < first_samples; ++i)
     sample((omega.low + omega.high) / 2 -
            (omega.high - omega.low) / 2 * std::cos(std::numbers::pi * i / (first_samples - 1)));
-  // The one left out first is in the middle.
+  // The fit before the first check lacks the sample in the middle.
   std::swap(samples[first_samples / 2], samples.back());
-  RationalFit before(all_but_last(samples), of_tolerance * tolerance);
-  RationalFit now(samples, of_tolerance * tolerance);
+  RationalFit before(all_but_last(samples), share_at_samples * tolerance);
+  RationalFit now(samples, share_at_samples * tolerance);
   std::vector<double> errors;
   while (samples.size() < most_samples) {
     sample(most_doubtful(samples, before, now));
     const MatrixSample& check = samples.back();
     errors.push_back((now(check.lambda) - check.F).norm() / scale);
     before = now;
-    now = RationalFit(samples, of_tolerance * tolerance);
-    if (errors.size() < checks_in_turn) continue;
-    const double error = *std::max_element(errors.end() - checks_in_turn, errors.end());
-    if (error <= tolerance) return {now, error, of_tolerance * tolerance, std::move(samples)};
+    now = RationalFit(samples, share_at_samples * tolerance);
+    if (errors.size() < checks_in_succession) continue;
+    const double error = *std::max_element(errors.end() - checks_in_succession, errors.end());
+    if (error <= tolerance) return {now, error, share_at_samples * tolerance, std::move(samples)};
   }
   throw SolverError(fmt::format(
       "the fluid's response for angular frequencies from {:.4g} to {:.4g} was not fitted to {:.1e} "

@@ -14,23 +14,25 @@ Aerodynamics aerodynamics_of(const RationalFit&);
 
 struct SampledFit {
   RationalFit fit;
-  /// The largest of |F - fit| over the largest |F|, Frobenius' norms, at the last few samples when
-  /// they were not part of the fit: what the fit is worth between samples.
+  /// The error of the fit between its samples: the largest |F - fit| at the last few samples when
+  /// they were not part of the fit yet, over the largest |F|, in Frobenius' norm.
   double error;
-  double goal;  ///< the largest error at the samples
+  double goal;  ///< the error at the samples that the fit was asked for
   std::vector<MatrixSample> samples;
 
   Aerodynamics aerodynamics() const { return aerodynamics_of(fit); }
-  /// Fits anew, with one sample more that was missed, so much closer to all than that was.
+  /// Fits all samples and one more anew, with an error of no more than `closer` times the error
+  /// that the present fit has at the new sample.
   void add(MatrixSample, double closer);
-  /// Of the same samples, a hundred times less close: where it differs most, so may the fit.
+  /// A fit to the same samples with a hundred times the error. Where it differs most from this fit,
+  /// this fit is most in doubt.
   RationalFit coarser() const;
 };
 
 using SampleOf = std::function<Eigen::MatrixXcd(std::complex<double> lambda)>;
 
 /// Samples at Chebyshev's points of the interval, then one by one in the middle of two samples,
-/// where the last two fits differ most, until `tolerance` holds at three new samples in turn.
+/// where the last two fits differ most, until `tolerance` holds at three new samples in succession.
 /// Throws SolverError where it does not within `most_samples`.
 SampledFit sampled_fit(const SampleOf&, const Interval& omega, double tolerance,
                        std::size_t most_samples);

@@ -55,8 +55,9 @@ struct Guess {
   Eigen::VectorXcd zeta;
 };
 
-// With h the step before and s h the one to come, the curves through what is known at -h and 0:
-// values and slopes of lambda, 0's slope and both values of zeta.
+// The guess at the next mass ratio. Let h be the step before and s h the next one. lambda is
+// extrapolated by the cubic through its values and slopes at -h and 0, zeta by the parabola through
+// its values there and its slope at 0.
 Guess expected(const std::optional<FollowedMode>& before, const FollowedMode& last, double mu) {
   const double step = mu - last.mu;
   const FlagMode& mode = last.mode;
@@ -75,7 +76,7 @@ Guess expected(const std::optional<FollowedMode>& before, const FollowedMode& la
 std::optional<FlagMode> followed(const Aerodynamics& F, const FlagOperator& flag,
                                  const std::optional<FollowedMode>& before,
                                  const FollowedMode& last, double mu, int halvings) {
-  constexpr double longest_jump = 0.1;  // of lambda, from where it is expected
+  constexpr double longest_jump = 0.1;  // of lambda from its guess; beyond, it is another mode
   const Guess guess = expected(before, last, mu);
   auto next = flag_mode(F, flag, mu, guess.lambda, guess.zeta);
   if (next && std::abs(next->lambda - guess.lambda) < longest_jump) return next;
@@ -91,7 +92,7 @@ std::optional<FlagMode> followed(const Aerodynamics& F, const FlagOperator& flag
 std::optional<FlagMode> flag_mode(const Aerodynamics& F, const FlagOperator& flag, double mu,
                                   Complex lambda_0, const Eigen::VectorXcd& zeta_0) {
   constexpr int most_iterations = 12;
-  constexpr double last_step = 3e-5;  // of lambda and zeta: the error left is of its square
+  constexpr double last_step = 3e-5;  // of lambda and zeta; the error that is left is its square
   const Eigen::VectorXcd border = zeta_0.normalized();
   Complex lambda = lambda_0;
   Eigen::VectorXcd zeta = border;

@@ -6,8 +6,8 @@
 ///
 ///   [S, S' zeta; zeta_0^H, 0] (d zeta, d lambda) = (-S zeta, 0),     S' = dS/d lambda.
 ///
-/// F is the fluid's response or a fit of it, the flag the whole one or a reduced one
-/// (flag_basis.hpp).
+/// F is the fluid's response or a fit to it; the flag is the whole flag or one in a basis of few
+/// shapes (flag_basis.hpp).
 #pragma once
 
 #include <complex>
@@ -21,10 +21,11 @@ struct FlagMode {
   std::complex<double> lambda;
   Eigen::VectorXcd zeta;              ///< of length 1
   std::complex<double> by_mu;         ///< d lambda/d mu
-  Eigen::VectorXcd shape_by_mu = {};  ///< d zeta/d mu, across zeta; empty: not known
+  Eigen::VectorXcd shape_by_mu = {};  ///< d zeta/d mu, orthogonal to zeta; empty: not known
 };
 
-/// The mode next to a guess at a mass ratio. `flag` with mu = 1. None where it does not converge.
+/// The mode near a guess at a mass ratio; `flag` with mu = 1. None where Newton's method does not
+/// converge.
 std::optional<FlagMode> flag_mode(const Aerodynamics&, const FlagOperator& flag, double mu,
                                   std::complex<double> lambda_0, const Eigen::VectorXcd& zeta_0);
 
@@ -34,19 +35,19 @@ struct FollowedMode {
   FlagMode mode;
 };
 
-/// The mode followed to another mass ratio, by shorter steps where it is lost: from where the last
-/// one points and, where there is one, by the curve through the one before, of third order for
-/// lambda and second for zeta.
+/// The mode at another mass ratio. The guess is extrapolated from `last` with its derivative by mu
+/// and, where it is given, through `before`: by a cubic for lambda and a parabola for zeta. A step
+/// at whose end the mode is not found is halved; none where that does not help.
 std::optional<FlagMode> followed(const Aerodynamics&, const FlagOperator& flag,
                                  const std::optional<FollowedMode>& before,
                                  const FollowedMode& last, double mu);
 
-/// What an error of F or of zeta does to lambda, to first order: the step that Newton's method
-/// would take with this F.
+/// The error of lambda, to first order, if F is right: the step of lambda that Newton's method
+/// would take from the mode with this F.
 std::complex<double> correction(const Aerodynamics&, const FlagOperator& flag, double mu,
                                 const FlagMode&);
 
-/// psi of the mode from the left, psi^H S = 0.
+/// The adjoint mode psi, psi^H S = 0 and psi^H S' zeta = 1.
 Eigen::VectorXcd left_shape(const Aerodynamics&, const FlagOperator& flag, double mu,
                             const FlagMode&);
 

@@ -16,12 +16,12 @@ using Index = Eigen::Index;
 
 constexpr double neutral_to = 1e-6;  // |Im mu| over |mu|: its square is the error of mu
 constexpr int most_evaluations = 12;
-constexpr double longest_step = 1;    // of omega
-constexpr double scan_spacing = 0.1;  // of omega
-constexpr double reach = 1;           // spacings beyond a cell within which a zero is sought
-constexpr double same_frequency = 1e-4;
-constexpr double same_start = 0.02;  // that of a mode known, from another cell
-constexpr double nearby = 1;         // of omega
+constexpr double longest_step = 1;       // in omega; a longer one leads to another mode
+constexpr double scan_spacing = 0.1;     // in omega, of the cells that are searched for zeros
+constexpr double reach = 1;              // spacings beyond a cell within which a zero is sought
+constexpr double same_frequency = 1e-4;  // two modes this close, in omega and mu, are one
+constexpr double same_start = 0.02;      // a start this close to a known mode leads to that mode
+constexpr double nearby = 1;             // in omega; see ShapesNearby
 
 // Mass ratio and slope of one mode at a frequency.
 struct Branch {
@@ -54,7 +54,7 @@ class MassRatios {
 
   Branch branch(Index k) const {
     Branch found{mu(k), 0, solver_.eigenvectors().col(k), {}};
-    // The rows of the inverse are those from the left of m^-1 (K - F).
+    // The rows of the inverse are the left eigenvectors of m^-1 (K - F).
     const Eigen::VectorXcd mass = flag_.mass.cast<Complex>(),
                            row = Eigen::VectorXcd::Unit(count(), k);
     found.psi = Eigen::VectorXcd(vectors_.adjoint().solve(row)).cwiseQuotient(mass);
@@ -73,8 +73,8 @@ class MassRatios {
   Eigen::PartialPivLU<Eigen::MatrixXcd> vectors_;
 };
 
-// With lambda = i omega along the branch, d lambda/d mu = i / (d mu/d omega), continued off the
-// axis.
+// The neutral mode after Newton's last step. Along the branch lambda = i omega, so that by
+// continuation d lambda/d mu = i / (d mu/d omega).
 NeutralMode mode_of(const Branch& branch, double omega, double step, int evaluations) {
   return {omega + step, (branch.mu + branch.slope * step).real(), Complex(0, 1) / branch.slope,
           branch.zeta.normalized(), evaluations};
@@ -84,13 +84,13 @@ bool is_in_reach(Complex ratio, const Interval& mu) {
   return mu.low / 2 <= ratio.real() && ratio.real() <= 2 * mu.high;
 }
 
-// Where a mass ratio may be real: so much of a cell of frequencies from its beginning.
+// A frequency at which a mass ratio may be real, as a share of a cell from its beginning.
 struct Zero {
   double share, mu;
 };
 
-// By the straight line between each mass ratio at the cell's beginning and the nearest one at its
-// end, and some way beyond both.
+// Zeros of Im mu on the straight line from each mass ratio at the cell's beginning to the nearest
+// one at its end, within the cell or some way beyond it.
 std::vector<Zero> zeros_nearby(const Eigen::VectorXcd& here, const Eigen::VectorXcd& there,
                                const Interval& mu) {
   std::vector<Zero> found;

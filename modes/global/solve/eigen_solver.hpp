@@ -1,4 +1,4 @@
-/// What a study of global modes asks of an eigensolver, so that it need not know which one it has.
+/// The interface of an eigensolver as the studies of global modes use it, whichever solver it is.
 #pragma once
 
 #include <complex>

@@ -1,9 +1,9 @@
-/// What a little more of a parameter does to an eigenvalue. With the adjoint mode p, A^H p =
+/// The derivatives of an eigenvalue by parameters of the flag. With the adjoint mode p, A^H p =
 /// conj(lambda) B^H p and p^H B q = 1,
 ///
 ///   d lambda = p^H (dA - lambda dB) q.
 ///
-/// The flow does not know mu, K_B and nu_s, so only the flag's block changes.
+/// The flow does not depend on mu, K_B and nu_s, so only the flag's block changes.
 #pragma once
 
 #include <functional>
@@ -16,10 +16,10 @@ namespace pennon::modes::global {
 /// Derivatives of lambda.
 struct Sensitivity {
   std::complex<double> mu, K_B, nu_s;
-  std::complex<double> tension;  ///< by the share by which all tension grows, d lambda/d ln T
+  std::complex<double> tension;  ///< d lambda/d ln T, where all tension grows in proportion
 };
 
-/// The flag with another material, its tension times `share`.
+/// Makes the operator of the flag with another material and with `share` times its tension.
 using FlagOf = std::function<FlagOperator(const dns::FlagMaterial&, double share)>;
 
 /// Precondition: the pair has its adjoint, scaled as above.

@@ -1,4 +1,4 @@
-/// (A - target B)^-1 of a pencil, as solutions: what shift and invert needs.
+/// (A - target B)^-1 of a pencil, applied to vectors, as shift and invert needs it.
 #pragma once
 
 #include <Eigen/LU>
@@ -22,7 +22,7 @@ class ShiftedInverse {
   virtual Eigen::VectorXcd solve_adjoint(const Eigen::VectorXcd& c) const = 0;
 };
 
-/// Of sparse matrices, factored as they are.
+/// The inverse of a pencil of sparse matrices, by factors of A - target B.
 class ShiftedSparse final : public ShiftedInverse {
  public:
   /// Throws SolverError where the target is an eigenvalue.
@@ -35,19 +35,19 @@ class ShiftedSparse final : public ShiftedInverse {
   std::shared_ptr<SparseFactors> factors_;
 };
 
-/// Of the coupled operator, whose columns for the flag are dense: only the flow's block is
-/// factored, and the flag's unknowns are found from its Schur complement
+/// The inverse of the coupled operator, whose columns for the flag are dense: only the flow's block
+/// is factored, and the flag's unknowns are found from the Schur complement
 ///
 ///   S = F(target) - K - target^2 M                              (aerodynamic_matrix.hpp).
 ///
-/// With b = (b_v, b_z, b_e) and eta = target zeta + b_z from the middle row, w = V^-1 (b_v - D_e
-/// b_z) and V = A_vv - target B_vv,
+/// Let b = (b_v, b_z, b_e) and V = A_vv - target B_vv. The middle row gives eta = target zeta +
+/// b_z, and with w = V^-1 (b_v - D_e b_z)
 ///
 ///   S zeta = b_e - A_ev w - (F_e - target M) b_z,     v = w + X zeta,
 ///
-/// one solution with V. Likewise of the adjoint, from the last column for p_z. Next to an
-/// eigenvalue S is nearly singular, and the other modes are found less well than by factors of the
-/// whole matrix: ten times at a distance of 1e-5, hardly at 0.3.
+/// so that one solution with V is needed. The adjoint is solved likewise, p_z from the last column.
+/// Near an eigenvalue S is nearly singular, and the other modes have larger errors than by factors
+/// of the whole matrix: ten times larger at a distance of 1e-5, hardly larger at 0.3.
 class ShiftedCoupled final : public ShiftedInverse {
  public:
   /// Throws SolverError where the target is an eigenvalue of the flow past the flag at rest.

@@ -1,5 +1,5 @@
-/// Solutions with a sparse matrix by its LU factors. The library behind is handed in where it
-/// matters: UMFPACK here, MUMPS in the program of the global modes (slepc/mumps_factors.hpp).
+/// Solves with a sparse matrix by its LU factors. The interface leaves open which library makes
+/// them: UMFPACK (below), or MUMPS in the program of the global modes (slepc/mumps_factors.hpp).
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -18,16 +18,18 @@ class SparseFactors {
   SparseFactors& operator=(const SparseFactors&) = delete;
   virtual ~SparseFactors() = default;
 
-  /// In place of those of the last matrix; one with the same pattern is analysed once. Throws
-  /// SolverError where the matrix is singular or the memory is not enough.
+  /// Factors a matrix; the factors replace those of the last one. Matrices with the same pattern
+  /// are analysed once. Throws SolverError where the matrix is singular or the memory is not
+  /// enough.
   virtual void factor(const Matrix&) = 0;
-  /// For each column of `right`.
+  /// Solves for each column of `right`.
   virtual Eigen::MatrixXcd solve(const Eigen::MatrixXcd& right) const = 0;
-  /// With the matrix transposed and conjugated.
+  /// Solves with the matrix transposed and conjugated.
   virtual Eigen::MatrixXcd solve_adjoint(const Eigen::MatrixXcd& right) const = 0;
 };
 
-/// Of two compressed matrices that are stored alike.
+/// Whether two compressed matrices have entries at the same places. Both are stored by columns, or
+/// both by rows.
 template <class Sparse>
 bool have_same_pattern(const Sparse& a, const Sparse& b) {
   return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
@@ -35,7 +37,7 @@ bool have_same_pattern(const Sparse& a, const Sparse& b) {
          std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
-/// By UMFPACK.
+/// Factors by UMFPACK.
 std::shared_ptr<SparseFactors> umfpack_factors();
 
 }  // namespace pennon::modes::global

@@ -6,7 +6,7 @@
 
 #include "common/interrupt.hpp"
 #include "modes/global/map/reduced_map.hpp"
-#include "modes/global/study/station.hpp"
+#include "modes/global/study/linearisation.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -21,7 +21,7 @@ class Map {
   Map(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
       std::shared_ptr<SparseFactors> factors)
       : wanted_(settings.map),
-        stations_(flag, flow, settings, parameter(wanted_), std::move(factors)) {
+        linearisations_(flag, flow, settings, parameter(wanted_), std::move(factors)) {
     map_.parameter = parameter(wanted_);
     map_.x = sweep(wanted_).values();
     map_.mu = wanted_.mu->values();
@@ -32,7 +32,7 @@ class Map {
   }
 
   GrowthMap run() {
-    const std::size_t columns = stations_.fluid_varies() ? 1 : map_.x.size();
+    const std::size_t columns = linearisations_.fluid_varies() ? 1 : map_.x.size();
     for (std::size_t first = 0; first < map_.x.size(); first += columns) {
       stop_if_interrupted("no map was written");
       find(first, columns);
@@ -43,18 +43,18 @@ class Map {
  private:
   // Columns that share the flow.
   void find(std::size_t first, std::size_t columns) {
-    Station station = stations_.at(map_.x[first]);
+    Linearisation linearised = linearisations_.at(map_.x[first]);
     std::vector<FlagOperator> flags;
     for (std::size_t i = first; i < first + columns; ++i)
-      flags.push_back(stations_.flag_at(map_.x[i]));
+      flags.push_back(linearisations_.flag_at(map_.x[i]));
     const ReducedMap found = reduced_map(
-        [&](std::complex<double> lambda) { return station.F.at(lambda); }, flags, map_.mu,
+        [&](std::complex<double> lambda) { return linearised.F.at(lambda); }, flags, map_.mu,
         {.windows = frequency_windows({wanted_.omega[0], wanted_.omega[1]},
-                                      station.coupled.fluid().is_symmetric),
+                                      linearised.coupled.fluid().is_symmetric),
          .mu_of_modes = {least_mu_of_modes, greatest_over_map * map_.mu.back()},
          .fit_tolerance = wanted_.fit_tolerance,
          .lambda_tolerance = wanted_.lambda_tolerance,
-         .checks = stations_.fluid_varies() ? checks_of_column : checks_of_map});
+         .checks = linearisations_.fluid_varies() ? checks_of_column : checks_of_map});
     for (std::size_t i = 0; i < columns; ++i) take(found.columns[i], first + i);
     take_errors(found);
   }
@@ -62,9 +62,9 @@ class Map {
   void take(const MapColumn& column, std::size_t i) {
     for (const ColumnNeutral& neutral : column.neutral) map_.neutral[i].push_back(neutral.mu);
     for (std::size_t m = 0; m < map_.mu.size(); ++m)
-      if (const std::optional<ColumnMode>& most = column.most[m]) {
-        map_.growth[m][i] = most->mode.lambda.real();
-        map_.omega[m][i] = most->mode.lambda.imag();
+      if (const std::optional<ColumnMode>& leading = column.leading[m]) {
+        map_.growth[m][i] = leading->mode.lambda.real();
+        map_.omega[m][i] = leading->mode.lambda.imag();
       }
   }
 
@@ -82,7 +82,7 @@ class Map {
   }
 
   const MapSettings& wanted_;
-  Stations stations_;
+  Linearisations linearisations_;
   GrowthMap map_;
 };
 

@@ -8,7 +8,7 @@
 #include "common/errors.hpp"
 #include "common/stop_watch.hpp"
 #include "modes/global/map/sampled_fit.hpp"
-#include "modes/global/study/station.hpp"
+#include "modes/global/study/linearisation.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -39,7 +39,7 @@ class Curve {
       : settings_(settings),
         wanted_(settings.neutral),
         solve_(solve),
-        stations_(flag, flow, settings, parameter(wanted_), std::move(factors)),
+        linearisations_(flag, flow, settings, parameter(wanted_), std::move(factors)),
         values_(sweep(wanted_).values()),
         is_log_(sweep(wanted_).scale == Scale::log) {}
 
@@ -53,7 +53,8 @@ class Curve {
       point = CurvePoint{};
       point.value = values_[i];
       const int known = branches_;
-      const bool is_due = i <= scan_to || i == last || i % every == 0 || !stations_.fluid_varies();
+      const bool is_due =
+          i <= scan_to || i == last || i % every == 0 || !linearisations_.fluid_varies();
       find(is_due, expectations(found, i), point);
       if (point.fit_error == 0) continue;
       if (i > last_scan + 1 && i > scan_to && has_new_lowest(point, known)) {
@@ -78,13 +79,13 @@ class Curve {
   // The modes at a point, followed or sought; what fails is said there.
   void find(bool is_due, const std::vector<Expected>& expected, CurvePoint& point) try {
     const StopWatch watch;
-    Station station = stations_.at(point.value);
-    if (is_due || !follow(station, expected, point)) scan(station, expected, point);
+    Linearisation linearised = linearisations_.at(point.value);
+    if (is_due || !follow(linearised, expected, point)) scan(linearised, expected, point);
     point.seconds = watch.seconds();
     if (point.modes.empty())
       point.fault = "no neutral mode with its mass ratio and frequency between those given";
     else if (wanted_.check && (point.value == values_.front() || point.value == values_.back()))
-      verify(station, point);
+      verify(linearised, point);
   } catch (const SolverError& fault) {
     point.modes.clear();
     point.fault = fault.what();
@@ -112,19 +113,22 @@ class Curve {
     return expected;
   }
 
-  void add(Station& station, int branch, const NeutralMode& mode, CurvePoint& point) const {
-    const CoupledOperator coupled = station.with_mass_ratio(mode.mu);
-    const Eigenpair pair{Complex(0, mode.omega), station.F.mode(mode.zeta)};
+  void add(Linearisation& linearised, int branch, const NeutralMode& mode,
+           CurvePoint& point) const {
+    const CoupledOperator coupled = linearised.with_mass_ratio(mode.mu);
+    const Eigenpair pair{Complex(0, mode.omega), linearised.F.mode(mode.zeta)};
     point.modes.push_back({branch, mode, residual_of(coupled, pair)});
     point.evaluations += mode.evaluations;
   }
 
   // Whether all branches were found again.
-  bool follow(Station& station, const std::vector<Expected>& expected, CurvePoint& point) const {
+  bool follow(Linearisation& linearised, const std::vector<Expected>& expected,
+              CurvePoint& point) const {
     for (const Expected& branch : expected) {
-      const auto mode = neutral_mode(station.aerodynamics(), station.flag, branch.omega, branch.mu);
+      const auto mode =
+          neutral_mode(linearised.aerodynamics(), linearised.flag, branch.omega, branch.mu);
       if (!mode || !branch.is(*mode)) return false;
-      add(station, branch.branch, *mode, point);
+      add(linearised, branch.branch, *mode, point);
     }
     std::ranges::sort(point.modes, {}, [](const BranchPoint& p) { return p.mode.mu; });
     return !point.modes.empty();
@@ -144,31 +148,32 @@ class Curve {
     return nearest ? nearest->branch : branches_++;
   }
 
-  void sample(Station& station, const std::vector<Interval>& windows) {
+  void sample(Linearisation& linearised, const std::vector<Interval>& windows) {
     fits_.clear();
     for (const Interval& window : windows)
-      fits_.push_back(sampled_fit([&](Complex lambda) { return station.F.at(lambda); }, window,
+      fits_.push_back(sampled_fit([&](Complex lambda) { return linearised.F.at(lambda); }, window,
                                   wanted_.fit_tolerance, most_samples));
   }
 
-  void scan(Station& station, const std::vector<Expected>& expected, CurvePoint& point) {
+  void scan(Linearisation& linearised, const std::vector<Expected>& expected, CurvePoint& point) {
     point.modes.clear();
-    const std::vector<Interval> windows = frequency_windows({wanted_.omega[0], wanted_.omega[1]},
-                                                            station.coupled.fluid().is_symmetric);
-    if (fits_.empty() || stations_.fluid_varies()) sample(station, windows);
+    const std::vector<Interval> windows = frequency_windows(
+        {wanted_.omega[0], wanted_.omega[1]}, linearised.coupled.fluid().is_symmetric);
+    if (fits_.empty() || linearisations_.fluid_varies()) sample(linearised, windows);
     std::vector<NeutralMode> starts;
     for (std::size_t w = 0; w < windows.size(); ++w) {
       point.fit_error = std::max(point.fit_error, fits_[w].error);
-      std::ranges::move(neutral_modes(fits_[w].aerodynamics(), station.flag, windows[w],
+      std::ranges::move(neutral_modes(fits_[w].aerodynamics(), linearised.flag, windows[w],
                                       {wanted_.mu[0], wanted_.mu[1]}),
                         std::back_inserter(starts));
     }
     std::ranges::sort(starts, {}, &NeutralMode::mu);
     for (const NeutralMode& start : starts) {
       if (static_cast<std::int64_t>(point.modes.size()) == wanted_.branches) break;
-      const auto mode = neutral_mode(station.aerodynamics(), station.flag, start.omega, start.mu);
+      const auto mode =
+          neutral_mode(linearised.aerodynamics(), linearised.flag, start.omega, start.mu);
       if (!mode || !Expected{0, start.omega, start.mu}.is(*mode)) continue;
-      add(station, branch_of(*mode, expected, point), *mode, point);
+      add(linearised, branch_of(*mode, expected, point), *mode, point);
     }
     std::ranges::sort(point.modes, {}, [](const BranchPoint& p) { return p.mode.mu; });
   }
@@ -177,13 +182,13 @@ class Curve {
     return !point.modes.empty() && point.modes.front().branch >= known_branches;
   }
 
-  void verify(const Station& station, CurvePoint& point) const {
+  void verify(const Linearisation& linearised, CurvePoint& point) const {
     const NeutralMode& neutral = point.modes.front().mode;
     Settings leading = settings_;
     leading.target.clear();
     leading.adjoint = false;
     leading.n_modes = modes_verified;
-    const Spectrum spectrum = spectrum_of(station.with_mass_ratio(neutral.mu), leading, solve_);
+    const Spectrum spectrum = spectrum_of(linearised.with_mass_ratio(neutral.mu), leading, solve_);
     for (const Eigenpair& pair : spectrum.pairs) {
       point.largest_growth =
           std::max(point.largest_growth.value_or(pair.lambda.real()), pair.lambda.real());
@@ -197,7 +202,7 @@ class Curve {
   const Settings& settings_;
   const NeutralSettings& wanted_;
   const EigenSolver& solve_;
-  Stations stations_;
+  Linearisations linearisations_;
   std::vector<double> values_;
   bool is_log_;
   std::vector<SampledFit> fits_;  // of each window

@@ -2,8 +2,8 @@
 /// the shifted and inverted operator T = (A - target B)^-1 B, whose eigenvalues are
 /// 1/(lambda - target). SLEPc's options with the prefix global_ reach it.
 ///
-/// Part of the program pennon-global alone: complex PETSc, which no program with the real one
-/// holds.
+/// Only the program pennon-global links it: it needs PETSc with complex numbers, which cannot be in
+/// one program with PETSc with real ones.
 #pragma once
 
 #include "modes/global/solve/eigen_solver.hpp"
@@ -12,7 +12,7 @@
 
 namespace pennon::modes::global {
 
-/// SLEPc from construction to destruction, within a petsc::Session.
+/// Starts SLEPc and ends it on destruction. Precondition: a petsc::Session lives as long.
 class SlepcSession {
  public:
   SlepcSession();
@@ -21,17 +21,18 @@ class SlepcSession {
   SlepcSession& operator=(const SlepcSession&) = delete;
 };
 
-/// The `requested` pairs nearest to the target that converged, each with the residual found anew;
-/// `with_adjoints` those whose adjoint converged too, by the same factors (a two-sided solver was
-/// seen to fail without saying so).
+/// Those of the `requested` pairs nearest to the target that converged, each with its residual
+/// computed from A and B. `with_adjoints`, only pairs whose adjoint converged too; the adjoints are
+/// found by a second solution with the same factors, since SLEPc's two-sided solver can fail
+/// without reporting it.
 Spectrum eigenpairs_near(const Pencil&, const ShiftedInverse&, std::complex<double> target,
                          int requested, bool with_adjoints);
 
-/// The same of the coupled operator, with these factors for the flow's block.
+/// The same for the coupled operator, with these factors for the flow's block.
 Spectrum coupled_eigenpairs_near(const CoupledOperator&, std::complex<double> target, int requested,
                                  bool with_adjoints, const std::shared_ptr<SparseFactors>&);
 
-/// The same as a study of global modes asks it, with the factors' analysis shared by all its calls.
+/// The same as an EigenSolver; all its calls share the analysis of the factors.
 EigenSolver coupled_eigensolver(std::shared_ptr<SparseFactors>);
 
 }  // namespace pennon::modes::global

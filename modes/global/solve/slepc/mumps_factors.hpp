@@ -1,6 +1,6 @@
 /// LU factors by MUMPS (Amestoy, Duff, L'Excellent & Koster 2001), which solves many right-hand
-/// sides together, through PETSc with complex numbers. Started by mpiexec, all ranks share the
-/// factors and their work; the matrix and all the rest is the leading rank's.
+/// sides together, through PETSc with complex numbers. Under mpiexec all ranks share the factors
+/// and their work; the leading rank alone has the matrix and does everything else.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,17 @@
 
 namespace pennon::modes::global {
 
-/// Within a petsc::Session, on the leading rank. PETSc's options -global_mat_mumps_icntl_7 and the
-/// like reach them. Its factor() throws SolverError that names the memory needed, and by how much a
-/// grid has to be smaller, where there is not enough.
+/// Called on the leading rank, within a petsc::Session. PETSc's options such as
+/// -global_mat_mumps_icntl_7 reach MUMPS. Where the memory is not enough, factor() throws
+/// SolverError that names the memory needed and by how much the grid has to be smaller.
 std::shared_ptr<SparseFactors> mumps_factors();
 
-/// On every other rank: takes part in the leading one's factors until that ends its MumpsRanks.
+/// Called on every other rank: takes part in the leading rank's factors until that destroys its
+/// MumpsRanks.
 void serve_mumps_factors();
 
-/// On the leading rank, for as long as it makes factors: lets the others go at the end.
+/// Held by the leading rank as long as it makes factors; its destruction ends serve_mumps_factors()
+/// on the other ranks.
 class MumpsRanks {
  public:
   MumpsRanks() = default;

@@ -44,7 +44,7 @@ Figure small_figure() {
   return figure;
 }
 
-Field small_field() {
+FigureField small_field() {
   return {{1, 2, 4}, {1, 3}, {-1, nan, 2, 0, 1, infinity}, "value", true};
 }
 
@@ -112,7 +112,7 @@ TEST(Figure, PutsTheKeyBelowWhereEveryCornerIsTaken) {
 TEST(Figure, DrawsAFieldOfTenMillionValuesWithoutDelay) {
   const TemporaryFolder folder;
   Figure figure;
-  Field field;
+  FigureField field;
   for (int i = 0; i < 4000; ++i) field.x.push_back(i);
   for (int i = 0; i < 2500; ++i) field.y.push_back(i);
   for (const double y : field.y)

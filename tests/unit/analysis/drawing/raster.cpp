@@ -24,8 +24,8 @@ std::vector<double> graded_lines(double first, double last, std::size_t count) {
 }
 
 template <class Function>
-Field field_of(const std::vector<double>& x, const std::vector<double>& y, Function f) {
-  Field field{x, y, {}, {}, false};
+FigureField field_of(const std::vector<double>& x, const std::vector<double>& y, Function f) {
+  FigureField field{x, y, {}, {}, false};
   for (const double v : y)
     for (const double u : x) field.values.push_back(f(u, v));
   return field;
@@ -34,8 +34,9 @@ Field field_of(const std::vector<double>& x, const std::vector<double>& y, Funct
 TEST(Raster, IsExactForAPlaneInTheCoordinatesAsDrawn) {
   const FigureAxis linear;
   const FigureAxis log{"", true, {}, {}};
-  const Field field = field_of(graded_lines(1e-3, 10, 23), graded_lines(-2, 5, 17),
-                               [](double x, double y) { return 3 * std::log10(x) - 2 * y + 1; });
+  const FigureField field =
+      field_of(graded_lines(1e-3, 10, 23), graded_lines(-2, 5, 17),
+               [](double x, double y) { return 3 * std::log10(x) - 2 * y + 1; });
   const Raster image = raster(field, log, linear, 91, 77);
   EXPECT_NEAR(image.x_low, -3, roundoff);
   EXPECT_NEAR(image.x_high, 1, roundoff);
@@ -50,7 +51,7 @@ TEST(Raster, IsExactForAPlaneInTheCoordinatesAsDrawn) {
 }
 
 TEST(Raster, LeavesBlankWhatIsNearestToANodeWithoutValue) {
-  Field field = field_of({0, 1, 2}, {0, 1, 2}, [](double, double) { return 1.0; });
+  FigureField field = field_of({0, 1, 2}, {0, 1, 2}, [](double, double) { return 1.0; });
   field.values[4] = nan;
   const Raster image = raster(field, {}, {}, 200, 200);
   const auto blank =

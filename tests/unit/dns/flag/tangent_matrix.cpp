@@ -55,14 +55,14 @@ TEST(TangentMatrix, IsSolvedAtOnceWhereItIsSymmetricAndDefinite) {
   EXPECT_LT(error_of_solution(*tangent, flag, symmetric_part(*tangent)), roundoff);
 }
 
-TEST(TangentMatrix, IsSolvedByTurnsWhereItIsNotSymmetric) {
+TEST(TangentMatrix, IsSolvedByIterationWhereItIsNotSymmetric) {
   const Flag<3> flag(mesh, {1, 0.01, 100, 0.3, 0});
   const NodeVectors<3> start = flag.rest();
   for (const double change : {1e-4, 1e-3, 1e-2}) {
     const auto tangent = tangent_of(flag, start, start + noise(flag, change, 2), 1e3);
     ASSERT_TRUE(tangent->factor_if_definite()) << change;
     const double error = error_of_solution(*tangent, flag, symmetric_part(*tangent));
-    EXPECT_GT(error, 0) << change << ": the matrix is symmetric, and no turn is needed";
+    EXPECT_GT(error, 0) << change << ": the matrix is symmetric, and no iteration is needed";
     EXPECT_LT(error, TangentMatrix<3>::solution_error) << change;
   }
 }
@@ -80,10 +80,10 @@ TEST(TangentMatrix, IsSolvedWhereItIsNotDefinite) {
             roundoff);
 }
 
-// So far from symmetric that the turns would be many: 1 on the diagonal, 1000, 2000, 3000 and their
-// negatives off it.
+// So far from symmetric that the iterations would be many: 1 on the diagonal, 1000, 2000, 3000 and
+// their negatives off it.
 TEST(TangentMatrix, IsSolvedHoweverFarFromSymmetric) {
-  TangentMatrix<3> tangent({false, false}, {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
+  TangentMatrix<3> tangent(HeldNodes({false, false}), {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
   tangent.set_zero();
   const Eigen::Matrix3d skew = Eigen::Vector3d(1e3, 2e3, 3e3).asDiagonal();
   for (const int node : {0, 1}) tangent.add(node, node, Eigen::Matrix3d::Identity());

@@ -23,7 +23,7 @@ ExtendedSparse diagonal(Eigen::Index size, Extended value) {
 
 // A chain of `size` masses between two walls (free at the right end if `is_free`), as stretches and
 // positions: rows 0 to size are stretches, the rest positions.
-Pencil chain(Eigen::Index size, bool is_free) {
+GeneralisedEigenproblem chain(Eigen::Index size, bool is_free) {
   std::vector<Eigen::Triplet<Extended>> E, S, R;
   const Eigen::Index springs = size + (is_free ? 0 : 1);
   for (Eigen::Index i = 0; i < springs; ++i) {
@@ -55,19 +55,19 @@ TEST(LowestEigenpairs, OfAChainBetweenWallsAreKnown) {
 }
 
 TEST(LowestEigenpairs, AreNormalisedOrthogonalAndPositiveAtTheEnd) {
-  const Pencil pencil = chain(60, true);
-  const Eigenpairs pairs = lowest_eigenpairs(pencil, 10, 1e-3, "chain");
-  const ExtendedMatrix at_points = pencil.E * pairs.vectors;
-  const ExtendedMatrix products = at_points.transpose() * (pencil.R * at_points);
+  const GeneralisedEigenproblem problem = chain(60, true);
+  const Eigenpairs pairs = lowest_eigenpairs(problem, 10, 1e-3, "chain");
+  const ExtendedMatrix at_points = problem.E * pairs.vectors;
+  const ExtendedMatrix products = at_points.transpose() * (problem.R * at_points);
   EXPECT_LT(static_cast<double>((products - ExtendedMatrix::Identity(10, 10)).norm()), roundoff);
   for (int i = 0; i < 10; ++i) EXPECT_GT(pairs.vectors(59, i), 0);
 }
 
 TEST(LowestEigenpairs, HoldAMotionWithoutEnergy) {
   // Springs between neighbours only: the chain as a whole is free.
-  Pencil pencil = chain(40, true);
-  pencil.S.coeffRef(0, 0) = 0;
-  const Eigenpairs pairs = lowest_eigenpairs(pencil, 3, 1e-2, "free chain");
+  GeneralisedEigenproblem problem = chain(40, true);
+  problem.S.coeffRef(0, 0) = 0;
+  const Eigenpairs pairs = lowest_eigenpairs(problem, 3, 1e-2, "free chain");
   EXPECT_NEAR(static_cast<double>(pairs.lambda[0]), 0, 1e-18);
   const double sine = std::sin(std::numbers::pi / 80);
   EXPECT_NEAR(static_cast<double>(pairs.lambda[1]) / (4 * sine * sine), 1, roundoff);
@@ -81,9 +81,9 @@ TEST(LowestEigenpairs, AreTheSameBitsEachTime) {
 }
 
 TEST(LowestEigenpairs, OfAnIndefiniteProblemAreRefused) {
-  Pencil pencil{diagonal(10, 1), diagonal(10, -1), diagonal(10, 1)};
+  GeneralisedEigenproblem problem{diagonal(10, 1), diagonal(10, -1), diagonal(10, 1)};
   try {
-    lowest_eigenpairs(pencil, 2, 0.5, "negative springs");
+    lowest_eigenpairs(problem, 2, 0.5, "negative springs");
     FAIL();
   } catch (const SolverError& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("negative springs")) << error.what();

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/io/csv.hpp"
-#include "modes/global/study/station.hpp"
+#include "modes/global/study/linearisation.hpp"
 #include "tests/support/source_folder.hpp"
 
 namespace pennon::modes::global {
@@ -27,13 +27,13 @@ Settings settings() {
 void expect_row(const std::string& file, CurveParameter parameter, double value) {
   const CsvTable table((test::source_folder() / "data/reference/pennon" / file).string());
   const FlagParameters flag{.mu = 1, .K_B = 1e-4, .gamma = {}};
-  Stations stations(flag, {.Re = 1000}, settings(), parameter, umfpack_factors());
+  Linearisations linearisations(flag, {.Re = 1000}, settings(), parameter, umfpack_factors());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (std::abs(*table.number(row, table.column(name(parameter))) - value) > 1e-9) continue;
-    Station station = stations.at(value);
+    Linearisation linearised = linearisations.at(value);
     const double mu = *table.number(row, table.column("mu_cr")),
                  omega = *table.number(row, table.column("omega"));
-    const auto mode = neutral_mode(station.aerodynamics(), station.flag, omega, mu);
+    const auto mode = neutral_mode(linearised.aerodynamics(), linearised.flag, omega, mu);
     ASSERT_TRUE(mode) << table.place(row);
     EXPECT_NEAR(mode->mu, mu, 1e-7 * mu) << table.place(row);
     EXPECT_NEAR(mode->omega, omega, 1e-5) << table.place(row);

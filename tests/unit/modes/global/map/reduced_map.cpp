@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "common/errors.hpp"
+#include "modes/global/map/check_places.hpp"
 #include "modes/global/map/flag_basis.hpp"
 #include "modes/global/map/reduced_map.hpp"
 #include "modes/global/solve/aerodynamic_matrix.hpp"
@@ -44,7 +46,7 @@ struct SmallMap {
   ReducedMap find(const SampleOf& F) const { return reduced_map(F, flags(), mu, wanted); }
   // |lambda of the map - that of the whole operator|.
   double error(const ReducedMap& map, std::size_t column, std::size_t m) const {
-    const Complex lambda = map.columns[column].most[m]->mode.lambda;
+    const Complex lambda = map.columns[column].leading[m]->mode.lambda;
     const CoupledOperator coupled = small.coupled(K_B[column], mu[m]);
     return std::abs(eigenpair_near(coupled.assembled(), lambda).lambda - lambda);
   }
@@ -85,6 +87,19 @@ TEST(GlobalRationalFit, InABasisIsTheProjectionOfItsValuesAndSlopes) {
   }
 }
 
+TEST(EvenlyChosen, HasBothEndsAndEqualSteps) {
+  EXPECT_EQ(evenly_chosen(13, 4), (std::vector<std::size_t>{0, 4, 8, 12}));
+  EXPECT_EQ(evenly_chosen(3, 8), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(evenly_chosen(1, 3), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(evenly_chosen(0, 3).empty());
+}
+
+TEST(GlobalReducedMap, FailsWhereTheFitWouldNeedMoreSamplesThanItMayTake) {
+  SmallMap small;
+  small.wanted.heuristics.most_samples = 10;
+  EXPECT_THROW(small.find(), SolverError);
+}
+
 TEST(GlobalReducedMap, HasTheModesOfTheWholeOperatorAtItsEndsAndAtRandomPoints) {
   const SmallMap small;
   const ReducedMap map = small.find();
@@ -99,7 +114,7 @@ TEST(GlobalReducedMap, HasTheModesOfTheWholeOperatorAtItsEndsAndAtRandomPoints) 
   for (int k = 0; k < 24; ++k) points.emplace_back(random() % (last + 1), random() % (top + 1));
   std::size_t asked = 0;
   for (const auto& [column, m] : points) {
-    if (!map.columns[column].most[m]) continue;
+    if (!map.columns[column].leading[m]) continue;
     ++asked;
     // Twice: what is checked is a part of the points.
     EXPECT_LT(small.error(map, column, m), 2 * tolerance)
@@ -116,7 +131,7 @@ TEST(GlobalReducedMap, NeedsFewShapesWhereTheStiffnessVariesLittle) {
   EXPECT_LE(map.basis_error, tolerance);
   for (std::size_t column = 0; column < small.K_B.size(); ++column)
     for (std::size_t m = 1; m < small.mu.size(); m += 7)
-      if (map.columns[column].most[m]) {
+      if (map.columns[column].leading[m]) {
         EXPECT_LT(small.error(map, column, m), 2 * tolerance) << small.mu[m];
       }
 }
@@ -146,10 +161,11 @@ TEST(GlobalReducedMap, IsTheSameForAnyNumberOfThreads) {
       ASSERT_EQ(one.size(), two.size());
       for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].mu, two[k].mu);
       for (std::size_t m = 0; m < small.mu.size(); ++m) {
-        const auto &most = maps[0].columns[column].most[m], &same = other.columns[column].most[m];
-        ASSERT_EQ(most.has_value(), same.has_value());
-        if (most) {
-          EXPECT_EQ(most->mode.lambda, same->mode.lambda);
+        const auto &leading = maps[0].columns[column].leading[m],
+                   &same = other.columns[column].leading[m];
+        ASSERT_EQ(leading.has_value(), same.has_value());
+        if (leading) {
+          EXPECT_EQ(leading->mode.lambda, same->mode.lambda);
         }
       }
     }
@@ -182,7 +198,7 @@ TEST(GlobalReducedMap, TakesSamplesOffTheAxisWhereAFitAlongItIsPoor) {
   EXPECT_LE(mended.lambda_error, tolerance);
   for (std::size_t column = 0; column < small.K_B.size(); ++column)
     for (const std::size_t m : {std::size_t{3}, small.mu.size() - 1})
-      if (mended.columns[column].most[m]) {
+      if (mended.columns[column].leading[m]) {
         EXPECT_LT(small.error(mended, column, m), 2 * tolerance);
       }
 }

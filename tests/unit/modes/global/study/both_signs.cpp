@@ -4,8 +4,8 @@
 
 #include "modes/global/map/sampled_fit.hpp"
 #include "modes/global/study/growth_map.hpp"
+#include "modes/global/study/linearisation.hpp"
 #include "modes/global/study/neutral_curve.hpp"
-#include "modes/global/study/station.hpp"
 #include "tests/support/small_flag_flow.hpp"
 
 namespace pennon::modes::global {
@@ -38,9 +38,9 @@ Settings settings_of(double its_k_x) {
   return resolve(settings, flag, test::small_discretisation);
 }
 
-Station station_of(double its_k_x, double its_U) {
-  return Stations(flag, flow_of(its_U), settings_of(its_k_x), CurveParameter::K_B,
-                  umfpack_factors())
+Linearisation linearisation_of(double its_k_x, double its_U) {
+  return Linearisations(flag, flow_of(its_U), settings_of(its_k_x), CurveParameter::K_B,
+                        umfpack_factors())
       .at(1e-3);
 }
 
@@ -51,10 +51,10 @@ NeutralCurve curve_of(double its_k_x, double its_U) {
 
 TEST(GlobalBothSigns, AReversedCrossFlowOrWaveConjugatesTheResponse) {
   const Complex lambda(0.3, 2.5);
-  Station here = station_of(k_x, U), other_wave = station_of(-k_x, U),
-          other_flow = station_of(k_x, -U);
+  Linearisation here = linearisation_of(k_x, U), other_wave = linearisation_of(-k_x, U),
+                other_flow = linearisation_of(k_x, -U);
   const Eigen::MatrixXcd F = here.F.at(lambda);
-  const auto difference = [&](Station& other) {
+  const auto difference = [&](Linearisation& other) {
     return (other.F.at(std::conj(lambda)).conjugate() - F).norm() / F.norm();
   };
   EXPECT_LT(difference(other_wave), 1e-9);
@@ -64,22 +64,23 @@ TEST(GlobalBothSigns, AReversedCrossFlowOrWaveConjugatesTheResponse) {
 }
 
 TEST(GlobalBothSigns, NeutralModesWithNegativeFrequenciesAreEigenvaluesOfTheWholeOperator) {
-  Station station = station_of(k_x, U);
+  Linearisation linearised = linearisation_of(k_x, U);
   std::size_t found = 0;
   for (const Interval& window : frequency_windows({1, 10}, false)) {
     const SampledFit fit =
-        sampled_fit([&](Complex lambda) { return station.F.at(lambda); }, window, 1e-5, 60);
+        sampled_fit([&](Complex lambda) { return linearised.F.at(lambda); }, window, 1e-5, 60);
     for (const NeutralMode& start :
-         neutral_modes(fit.aerodynamics(), station.flag, window, {0.02, 2})) {
-      const auto mode = neutral_mode(station.aerodynamics(), station.flag, start.omega, start.mu);
+         neutral_modes(fit.aerodynamics(), linearised.flag, window, {0.02, 2})) {
+      const auto mode =
+          neutral_mode(linearised.aerodynamics(), linearised.flag, start.omega, start.mu);
       ASSERT_TRUE(mode);
       EXPECT_TRUE(window.contains(mode->omega));
-      const CoupledOperator whole = station.with_mass_ratio(mode->mu);
+      const CoupledOperator whole = linearised.with_mass_ratio(mode->mu);
       const Complex lambda = eigenpair_near(whole.assembled(), Complex(0, mode->omega)).lambda;
       EXPECT_LT(std::abs(lambda - Complex(0, mode->omega)), 1e-7) << mode->mu;
       // A little more mass.
       constexpr double h = 1e-5;
-      const CoupledOperator heavier = station.with_mass_ratio(mode->mu + h);
+      const CoupledOperator heavier = linearised.with_mass_ratio(mode->mu + h);
       const Complex change =
           (eigenpair_near(heavier.assembled(), lambda + mode->by_mu * h).lambda - lambda) / h;
       EXPECT_LT(std::abs(change - mode->by_mu), 1e-2 * std::abs(mode->by_mu));
@@ -112,14 +113,15 @@ TEST(GlobalBothSigns, TheMapHasTheModeThatGrowsMostOfBoth) {
   const Settings settings = settings_of(k_x);
   const GrowthMap map = growth_map(flag, flow_of(U), settings, umfpack_factors());
   const GrowthMap mirrored = growth_map(flag, flow_of(-U), settings, umfpack_factors());
-  const Stations stations(flag, flow_of(U), settings, CurveParameter::K_B, umfpack_factors());
+  const Linearisations linearisations(flag, flow_of(U), settings, CurveParameter::K_B,
+                                      umfpack_factors());
   for (std::size_t i = 0; i < map.x.size(); ++i)
     for (std::size_t m = 0; m < map.mu.size(); ++m) {
       const Complex lambda(map.growth[m][i], map.omega[m][i]);
       EXPECT_NEAR(mirrored.growth[m][i], lambda.real(), 1e-4);
       EXPECT_NEAR(mirrored.omega[m][i], -lambda.imag(), 1e-4);
-      const Station station = Stations(stations).at(map.x[i]);
-      const CoupledOperator whole = station.with_mass_ratio(map.mu[m]);
+      const Linearisation linearised = Linearisations(linearisations).at(map.x[i]);
+      const CoupledOperator whole = linearised.with_mass_ratio(map.mu[m]);
       EXPECT_LT(std::abs(eigenpair_near(whole.assembled(), lambda).lambda - lambda), 2e-5);
       // The wave that travels the other way, from where it is without a cross-flow.
       const Complex other =
@@ -136,10 +138,10 @@ TEST(GlobalBothSigns, OneIsEnoughWhereTheSpectrumIsSymmetric) {
   for (const GrowthMap* map : {&still, &crossed})
     for (const std::vector<double>& row : map->omega)
       for (const double omega : row) EXPECT_GT(omega, 0);
-  Station station = station_of(0, U);
+  Linearisation linearised = linearisation_of(0, U);
   const Complex lambda(0.3, 2.5);
-  const Eigen::MatrixXcd F = station.F.at(lambda);
-  EXPECT_LT((station.F.at(std::conj(lambda)).conjugate() - F).norm(), 1e-9 * F.norm());
+  const Eigen::MatrixXcd F = linearised.F.at(lambda);
+  EXPECT_LT((linearised.F.at(std::conj(lambda)).conjugate() - F).norm(), 1e-9 * F.norm());
 }
 
 }  // namespace

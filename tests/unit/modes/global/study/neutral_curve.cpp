@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "modes/global/study/growth_map.hpp"
+#include "modes/global/study/linearisation.hpp"
 #include "modes/global/study/neutral_curve.hpp"
-#include "modes/global/study/station.hpp"
 #include "tests/support/small_flag_flow.hpp"
 
 namespace pennon::modes::global {
@@ -76,12 +76,12 @@ void expect_map_of_the_full_operator(const MapSettings& wanted) {
   const GrowthMap map = growth_map(flag, flow, settings, umfpack_factors());
   EXPECT_LE(map.fit_error, 1e-6);
   EXPECT_GT(map.checked, 0u);
-  Stations stations(flag, flow, settings, parameter(settings.map), umfpack_factors());
+  Linearisations linearisations(flag, flow, settings, parameter(settings.map), umfpack_factors());
   for (std::size_t i = 0; i < map.x.size(); ++i) {
-    const Station station = stations.at(map.x[i]);
+    const Linearisation linearised = linearisations.at(map.x[i]);
     for (std::size_t m = 0; m < map.mu.size(); ++m) {
       const std::complex<double> lambda(map.growth[m][i], map.omega[m][i]);
-      const CoupledOperator coupled = station.with_mass_ratio(map.mu[m]);
+      const CoupledOperator coupled = linearised.with_mass_ratio(map.mu[m]);
       const std::complex<double> full = eigenpair_near(coupled.assembled(), lambda).lambda;
       EXPECT_LT(std::abs(full - lambda), 1e-4) << map.x[i] << ' ' << map.mu[m] << ' ' << lambda;
     }

@@ -1,31 +1,33 @@
-#include "modes/global/study/station.hpp"
+#include "modes/global/study/linearisation.hpp"
 
 #include "dns/fluid/equations/wall_faces.hpp"
 
 namespace pennon::modes::global {
 
-Station::Station(BaseFlow its_base, FlagOperator its_flag, std::shared_ptr<const LinearFluid> fluid,
-                 std::shared_ptr<SparseFactors> factors)
+Linearisation::Linearisation(BaseFlow its_base, FlagOperator its_flag,
+                             std::shared_ptr<const LinearFluid> fluid,
+                             std::shared_ptr<SparseFactors> factors)
     : base(std::move(its_base)),
       flag(its_flag),
       coupled(fluid, std::move(its_flag)),
       F(std::move(fluid), std::move(factors)) {}
 
-Aerodynamics Station::aerodynamics() {
+Aerodynamics Linearisation::aerodynamics() {
   return [this](std::complex<double> lambda) {
     return Response{F.at(lambda),
                     [this](const Eigen::VectorXcd& zeta) { return F.derivative(zeta); }};
   };
 }
 
-CoupledOperator Station::with_mass_ratio(double mu) const {
+CoupledOperator Linearisation::with_mass_ratio(double mu) const {
   CoupledOperator scaled = coupled;
   scaled.flag.mass *= mu;
   return scaled;
 }
 
-Stations::Stations(const FlagParameters& flag, const FlowParameters& flow, const Settings& settings,
-                   CurveParameter parameter, std::shared_ptr<SparseFactors> factors)
+Linearisations::Linearisations(const FlagParameters& flag, const FlowParameters& flow,
+                               const Settings& settings, CurveParameter parameter,
+                               std::shared_ptr<SparseFactors> factors)
     : parameter_(parameter),
       grid_(grid_of(settings)),
       chord_(dns::coupled_chord(grid_)),
@@ -36,7 +38,7 @@ Stations::Stations(const FlagParameters& flag, const FlowParameters& flow, const
       spanwise_nodes_(static_cast<int>(settings.n_x)),
       factors_(std::move(factors)) {}
 
-void Stations::move_to(double value) {
+void Linearisations::move_to(double value) {
   switch (parameter_) {
     case CurveParameter::Re:
       flow_.Re = value;
@@ -59,12 +61,12 @@ void Stations::move_to(double value) {
     base_ = base_flow(grid_, flow_, components, *base_);
 }
 
-FlagOperator Stations::flag_at(double value) {
+FlagOperator Linearisations::flag_at(double value) {
   move_to(value);
   return flag_operator(chord_, edge_, material_, base_->forces, k_x_, spanwise_nodes_);
 }
 
-Station Stations::at(double value) {
+Linearisation Linearisations::at(double value) {
   FlagOperator flag = flag_at(value);
   if (!fluid_)
     fluid_ = std::make_shared<LinearFluid>(

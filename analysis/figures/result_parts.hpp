@@ -1,0 +1,22 @@
+/// What the pictures of several kinds of result files have in common.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/drawing/figure.hpp"
+#include "common/io/hdf5.hpp"
+
+namespace pennon::analysis {
+
+/// An axis over the values of an array, by the array's label and scale (symbol.hpp).
+FigureAxis axis_of(const hdf5::Reader&, const std::string& array);
+
+/// Ends the axis where these values end, unless there are fewer than two.
+void fit(FigureAxis&, const std::vector<double>& increasing);
+
+/// The outcomes of a table at /marks: the stable ones as open squares, the unstable ones as filled
+/// ones. Empty where the file has none.
+std::vector<Marks> outcome_marks(const hdf5::Reader&);
+
+}  // namespace pennon::analysis
