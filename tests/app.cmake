@@ -4,6 +4,7 @@ pennon_test(test_app
     regression/app/analyze.cpp
     regression/app/commands.cpp
     regression/app/compare.cpp
+    regression/app/completion.cpp
     regression/app/coupled.cpp
     regression/app/fluid.cpp
     regression/app/global.cpp
