@@ -16,7 +16,7 @@ lint() {
   [[ ${PENNON_SETUP_ONLY:-0} == 1 ]] || cmake -D BUILD_DIR=build -P cmake/lint.cmake
 }
 
-# Debug information and the build of all tests take 10 GB and half an hour on two cores.
+# No part of the other tests, because all is built once more for it.
 sanitize() {
   install_packages run test
   configure_tests sanitize
