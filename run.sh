@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the main job: the flag of data/cases/table1/C2D.toml by
-# local theory and by its modes, the verdicts of the paper's Table 1, and the curves and maps of its
-# figures. Results go to results/.
+# Installs what is missing, builds the programs, and runs the main job: the flag of
+# data/cases/table1/C2D.toml by local theory, by its modes and in a simulation, the verdicts of the
+# paper's Table 1, and the curves and maps of its figures. Results go to results/.
 # With PENNON_SETUP_ONLY=1 in the environment it stops after the build.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
@@ -12,7 +12,7 @@ run_pennon() {
   build/app/pennon "$@"
 }
 
-set_up
+set_up_programs
 [[ ${PENNON_SETUP_ONLY:-0} != 1 ]] || exit 0
 
 run_pennon lsa data/cases/table1/C2D.toml

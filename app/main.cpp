@@ -8,6 +8,8 @@
 #include <string>
 
 #include "app/commands.hpp"
+#include "app/completion.hpp"
+#include "app/manual_page.hpp"
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
 #include "common/parallel/ranks.hpp"
@@ -113,6 +115,14 @@ int run(int argc, char** argv) {
   CLI::App* reference = app.add_subcommand("reference", "every key of a case file, in Markdown");
   reference->footer("Example: pennon reference > docs/case-file.md");
   reference->callback([] { app::run_reference(); });
+
+  // For the installation: without a group, so that help does not show them.
+  app.add_subcommand("completion", "the completion of these commands by bash")
+      ->group("")
+      ->callback([&app] { fmt::print("{}", app::bash_completion(app)); });
+  app.add_subcommand("manual", "the manual page")->group("")->callback([&app] {
+    fmt::print("{}", app::manual_page(app, version()));
+  });
 
   try {
     app.parse(argc, argv);

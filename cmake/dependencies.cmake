@@ -1,10 +1,21 @@
-# Every library pennon stands on. A missing one is named together with Debian's package for it.
+# Every library pennon stands on. A missing one is named together with Debian's package for it. The
+# installed package reads this file too (pennonConfig.cmake): there a missing library means that pennon
+# is not found. All are macros, so that return() leaves this file.
 find_package(PkgConfig REQUIRED)
 
+macro(pennon_missing what package)
+  if(NOT CMAKE_FIND_PACKAGE_NAME STREQUAL pennon)
+    message(FATAL_ERROR "${what} was not found: install ${package} (./run.sh does it)")
+  endif()
+  set(pennon_FOUND FALSE)
+  set(pennon_NOT_FOUND_MESSAGE "${what}, which pennon needs, was not found: install ${package}")
+  return()
+endmacro()
+
 macro(pennon_pkg_config target module package)
-  pkg_check_modules(${target} IMPORTED_TARGET GLOBAL ${module})
+  pkg_check_modules(${target} QUIET IMPORTED_TARGET GLOBAL ${module})
   if(NOT ${target}_FOUND)
-    message(FATAL_ERROR "${module} was not found: install ${package} (./run.sh does it)")
+    pennon_missing(${module} ${package})
   endif()
   # A library's own headers are not ours to warn about.
   set_property(TARGET PkgConfig::${target} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES
@@ -14,7 +25,7 @@ endmacro()
 macro(pennon_find_package name package)
   find_package(${name} QUIET)
   if(NOT ${name}_FOUND)
-    message(FATAL_ERROR "${name} was not found: install ${package} (./run.sh does it)")
+    pennon_missing(${name} ${package})
   endif()
 endmacro()
 
@@ -23,7 +34,7 @@ pennon_pkg_config(GSL gsl libgsl-dev)
 # goes into its products.
 pennon_pkg_config(BLAS blas libblas-dev)
 get_target_property(gsl_libraries PkgConfig::GSL INTERFACE_LINK_LIBRARIES)
-list(FILTER gsl_libraries EXCLUDE REGEX gslcblas)
+list(FILTER gsl_libraries EXCLUDE REGEX "gslcblas|^PkgConfig::BLAS$")
 set_target_properties(PkgConfig::GSL PROPERTIES
                       INTERFACE_LINK_LIBRARIES "${gsl_libraries};PkgConfig::BLAS")
 pennon_pkg_config(HDF5 hdf5-serial libhdf5-dev)
@@ -43,7 +54,7 @@ find_path(SUITESPARSE_INCLUDE_DIR umfpack.h PATH_SUFFIXES suitesparse)
 find_library(UMFPACK_LIBRARY umfpack)
 find_library(CHOLMOD_LIBRARY cholmod)
 if(NOT SUITESPARSE_INCLUDE_DIR OR NOT UMFPACK_LIBRARY OR NOT CHOLMOD_LIBRARY)
-  message(FATAL_ERROR "SuiteSparse was not found: install libsuitesparse-dev (./run.sh does it)")
+  pennon_missing(SuiteSparse libsuitesparse-dev)
 endif()
 set(SUITESPARSE_VERSION "")
 foreach(part MAIN SUB SUBSUB)
@@ -52,24 +63,25 @@ foreach(part MAIN SUB SUBSUB)
   string(REGEX REPLACE "[^0-9]" "" number "${line}")
   string(JOIN . SUITESPARSE_VERSION ${SUITESPARSE_VERSION} ${number})
 endforeach()
-add_library(pennon_suitesparse INTERFACE)
-target_include_directories(pennon_suitesparse SYSTEM INTERFACE ${SUITESPARSE_INCLUDE_DIR})
-target_link_libraries(pennon_suitesparse INTERFACE ${UMFPACK_LIBRARY} ${CHOLMOD_LIBRARY})
+if(NOT TARGET pennon_suitesparse)
+  add_library(pennon_suitesparse INTERFACE IMPORTED GLOBAL)
+  target_include_directories(pennon_suitesparse SYSTEM INTERFACE ${SUITESPARSE_INCLUDE_DIR})
+  target_link_libraries(pennon_suitesparse INTERFACE ${UMFPACK_LIBRARY} ${CHOLMOD_LIBRARY})
+endif()
 
 # PETSc with real numbers for the simulation, with complex ones and SLEPc for the global modes: whichever
 # of the two is the system's default. No program can hold both.
-function(pennon_petsc_of scalar target module package)
-  file(GLOB dirs /usr/lib/petscdir/petsc-${scalar}/lib/pkgconfig
-                 /usr/lib/slepcdir/slepc-${scalar}/lib/pkgconfig
-                 /usr/lib/petscdir/*/*-${scalar}/lib/pkgconfig)
-  set(path $ENV{PKG_CONFIG_PATH})
-  list(JOIN dirs ":" petsc_path)
-  set(ENV{PKG_CONFIG_PATH} "${petsc_path}:${path}")
+macro(pennon_petsc_of scalar target module package)
+  file(GLOB petsc_dirs /usr/lib/petscdir/petsc-${scalar}/lib/pkgconfig
+                       /usr/lib/slepcdir/slepc-${scalar}/lib/pkgconfig
+                       /usr/lib/petscdir/*/*-${scalar}/lib/pkgconfig)
+  set(pkg_config_path "$ENV{PKG_CONFIG_PATH}")
+  list(JOIN petsc_dirs ":" petsc_path)
+  set(ENV{PKG_CONFIG_PATH} "${petsc_path}:${pkg_config_path}")
   pennon_pkg_config(${target} ${module} ${package})
-  set(ENV{PKG_CONFIG_PATH} "${path}")
+  set(ENV{PKG_CONFIG_PATH} "${pkg_config_path}")
   # Its flags are those of its own package build.
   set_property(TARGET PkgConfig::${target} PROPERTY INTERFACE_COMPILE_OPTIONS "")
-  set(${target}_VERSION ${${target}_VERSION} PARENT_SCOPE)
-endfunction()
+endmacro()
 pennon_petsc_of(real PETSC PETSc libpetsc-real-dev)
 pennon_petsc_of(complex SLEPC SLEPc libslepc-complex-dev)

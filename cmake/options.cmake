@@ -1,13 +1,15 @@
 # What every target of the project is compiled with, and how a folder becomes a library.
+include(GNUInstallDirs)
 add_library(pennon_options INTERFACE)
 target_compile_features(pennon_options INTERFACE cxx_std_20)
-target_compile_options(pennon_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+target_compile_options(pennon_options INTERFACE "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow>")
 # Sums and products are rounded one by one, so that scalar and vector code and every machine give the
 # same bits; square roots neither set errno nor trap, so that loops over them become vector code.
 target_compile_options(pennon_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 # Threads would share out Eigen's products by their number, and with it the rounding.
 target_compile_definitions(pennon_options INTERFACE EIGEN_DONT_PARALLELIZE)
-target_include_directories(pennon_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(pennon_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pennon>)
 if(PENNON_SANITIZE)
   target_compile_options(pennon_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -34,6 +36,8 @@ function(pennon_library)
     target_link_libraries(${library} INTERFACE pennon_options ${ARG_LINK})
   endif()
   add_library(pennon::${ARG_NAME} ALIAS ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${ARG_NAME})
+  set_property(GLOBAL APPEND PROPERTY PENNON_LIBRARIES ${library})
   set(links ${ARG_LINK})
   list(FILTER links INCLUDE REGEX "^pennon::")
   list(JOIN links " " links)

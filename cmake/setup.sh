@@ -1,5 +1,5 @@
-# Sourced by run.sh and test.sh in the project's folder: set_up installs what packages.txt lists and is
-# missing, configures and builds. Needs no network where nothing is missing.
+# Sourced by run.sh and test.sh in the project's folder. Nothing here needs a network where nothing is
+# missing.
 
 say() { printf '%s\n' "pennon: $*" >&2; }
 
@@ -8,22 +8,29 @@ fail() {
   exit 1
 }
 
-listed_packages() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' packages.txt; }
+# The packages of these sections of packages.txt.
+listed_packages() {
+  awk -v wanted=" $* " '
+    { sub(/#.*/, "") }
+    /^\[/ { gsub(/[][[:space:]]/, ""); is_wanted = index(wanted, " " $0 " "); next }
+    is_wanted && NF { print $1 }' packages.txt
+}
 
 missing_packages() {
   local package
-  for package in $(listed_packages); do
+  for package in $(listed_packages "$@"); do
     [[ $(dpkg-query --show --showformat='${db:Status-Status} ' "$package" 2>/dev/null) == installed* ]] ||
       printf '%s\n' "$package"
   done
 }
 
+# Installs what is missing of the sections: install_packages run test.
 install_packages() {
   command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
     fail "this system has no apt-get. Install what corresponds to these packages of Debian 12:" \
-      "$(listed_packages | xargs). Then: cmake --preset release && cmake --build --preset release"
+      "$(listed_packages "$@" | xargs). Then: cmake --preset release && cmake --build --preset release"
   local missing as_root=()
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$@")
   ((${#missing[@]})) || return 0
   if ((EUID != 0)); then
     command -v sudo >/dev/null ||
@@ -36,9 +43,23 @@ install_packages() {
     apt-get install --yes --no-install-recommends "${missing[@]}"
 }
 
+# Builds the two programs. A folder that was configured with the tests keeps them.
+set_up_programs() {
+  install_packages run
+  say "configuring and building the programs in build/"
+  local options=()
+  [[ -f build/CMakeCache.txt ]] || options=(-D PENNON_TESTS=OFF -D PENNON_BENCHMARKS=OFF)
+  cmake --preset release "${options[@]}"
+  cmake --build --preset release --target pennon pennon-global
+}
+
+# Configures with tests and benchmarks: configure_tests [PRESET]
+configure_tests() { cmake --preset "${1:-release}" -D PENNON_TESTS=ON -D PENNON_BENCHMARKS=ON; }
+
+# Builds everything, tests and benchmarks too.
 set_up() {
-  install_packages
+  install_packages run test
   say "configuring and building in build/"
-  cmake --preset release
+  configure_tests
   cmake --build --preset release
 }

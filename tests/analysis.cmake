@@ -1,12 +1,12 @@
-pennon_test(analysis_tests LABEL unit
+pennon_test(test_analysis
   SOURCES
-    unit/analysis/signal/energy_budget.cpp
     unit/analysis/drawing/figure.cpp
+    unit/analysis/drawing/raster.cpp
+    unit/analysis/drawing/surface_picture.cpp
     unit/analysis/figures/of_flag.cpp
     unit/analysis/figures/symbol.cpp
+    unit/analysis/signal/energy_budget.cpp
     unit/analysis/signal/growth.cpp
     unit/analysis/signal/limit_cycle.cpp
-    unit/analysis/drawing/raster.cpp
     unit/analysis/signal/run_history.cpp
-    unit/analysis/drawing/surface_picture.cpp
   LINK pennon::analysis_figures GTest::gmock)

@@ -1,14 +1,22 @@
-pennon_test(test_app LABEL regression
-            SOURCES regression/app/analyze.cpp regression/app/commands.cpp regression/app/compare.cpp
-                    regression/app/coupled.cpp                     regression/app/fluid.cpp regression/app/global.cpp
-            LINK pennon::analysis_figures Boost::headers GTest::gmock)
-target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
-                           PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
-add_dependencies(test_app pennon)
-pennon_test(test_coupled_validation LABEL validation SOURCES validation/dns/coupling/coupled_cases.cpp
-                    validation/app/compare_table1.cpp validation/modes/global/convergence.cpp
-            LINK pennon::common_case pennon::common_io pennon::common_record fmt::fmt Boost::headers GTest::gmock)
-target_compile_definitions(test_coupled_validation
-                           PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
-                                   PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
-add_dependencies(test_coupled_validation pennon)
+# Both start pennon as a user does.
+pennon_test(test_app
+  SOURCES
+    regression/app/analyze.cpp
+    regression/app/commands.cpp
+    regression/app/compare.cpp
+    regression/app/completion.cpp
+    regression/app/coupled.cpp
+    regression/app/fluid.cpp
+    regression/app/global.cpp
+  LINK pennon::analysis_figures Boost::headers GTest::gmock)
+pennon_test(test_app_validation
+  SOURCES
+    validation/app/compare_table1.cpp
+    validation/dns/coupling/coupled_cases.cpp
+    validation/modes/global/convergence.cpp
+  LINK pennon::common_case pennon::common_io pennon::common_record fmt::fmt Boost::headers GTest::gmock)
+foreach(program test_app test_app_validation)
+  target_compile_definitions(${program} PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
+                             PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
+  add_dependencies(${program} pennon pennon-global)
+endforeach()

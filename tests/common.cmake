@@ -1,16 +1,16 @@
-pennon_test(common_tests LABEL unit
+pennon_test(test_common
   SOURCES
     support/case_mutator.cpp
-    unit/common/io/atomic_file.cpp
+    unit/common/progress.cpp
     unit/common/case/case_fuzz.cpp
     unit/common/case/case_reader.cpp
-    unit/common/io/csv.cpp
-    unit/common/io/hdf5.cpp
     unit/common/case/nearest_name.cpp
-    unit/common/io/output_folder.cpp
-    unit/common/progress.cpp
-    unit/common/record/record.cpp
     unit/common/case/schema.cpp
     unit/common/case/sweep.cpp
+    unit/common/io/atomic_file.cpp
+    unit/common/io/csv.cpp
+    unit/common/io/hdf5.cpp
+    unit/common/io/output_folder.cpp
     unit/common/io/xdmf.cpp
+    unit/common/record/record.cpp
   LINK pennon::common_case pennon::common_io pennon::common_record Boost::headers GTest::gmock util)

@@ -1,36 +1,83 @@
-pennon_test(test_flag LABEL unit
-            SOURCES unit/dns/flag/forces.cpp unit/dns/flag/frequency.cpp unit/dns/run/initial_shape.cpp
-                    unit/dns/flag/tangent_matrix.cpp
-            LINK pennon::dns_run)
-# In programs of their own: they take the place of malloc.
-pennon_test(test_fluid_allocations LABEL unit SOURCES unit/dns/fluid/allocations.cpp LINK pennon::dns_run)
-pennon_test(test_coupling_allocations LABEL unit SOURCES unit/dns/coupling/allocations.cpp
-            LINK pennon::dns_run)
-pennon_test(test_flag_allocations LABEL unit SOURCES unit/dns/flag/allocations.cpp LINK pennon::dns_run)
-pennon_test(test_flag_validation LABEL verification
-            SOURCES verification/dns/flag/plates.cpp verification/dns/flag/lines.cpp
-                    verification/dns/flag/extremes.cpp verification/dns/flag/in_vacuo.cpp
-            LINK pennon::dns_run pennon::modes_normal)
-pennon_test(test_fluid_verification LABEL verification
-            SOURCES verification/dns/fluid/manufactured.cpp verification/dns/fluid/budgets.cpp
-                    verification/dns/fluid/identities.cpp verification/dns/fluid/potential.cpp
-                    verification/dns/fluid/plate.cpp verification/dns/fluid/outflow.cpp
-                    verification/dns/fluid/extremes.cpp
-            LINK pennon::dns_run pennon::lsa)
-pennon_test(test_fluid_validation LABEL validation
-            SOURCES validation/dns/fluid/plate_drag.cpp validation/dns/fluid/theodorsen.cpp
-                    validation/dns/fluid/large_grid.cpp
-            LINK pennon::dns_run)
-pennon_test(test_fluid LABEL unit SOURCES unit/dns/grid/span.cpp unit/dns/fluid/parts.cpp LINK pennon::dns_run)
+# The grid, and the solvers that know nothing of flags and fluids.
+pennon_test(test_grid
+  SOURCES
+    unit/dns/grid/elliptic_grid.cpp
+    unit/dns/grid/metrics.cpp
+    unit/dns/grid/o_grid.cpp
+    unit/dns/grid/scratch.cpp
+    unit/dns/grid/span.cpp
+    unit/dns/numerics/anderson.cpp
+    unit/dns/numerics/separable_solver.cpp
+  LINK pennon::dns_run)
+# In a program of its own: it takes the place of malloc.
+pennon_test(test_grid_allocations
+  SOURCES
+    unit/dns/grid/allocations.cpp
+  LINK pennon::dns_run)
+pennon_test(test_grid_verification
+  SOURCES
+    verification/dns/grid/shapes.cpp
+  LINK pennon::dns_run)
 
-# Not tests: these draw pictures of docs/accuracy.md.
-add_executable(fluid_pictures support/fluid_pictures.cpp)
-target_link_libraries(fluid_pictures PRIVATE pennon_test_support pennon::analysis_figures)
-add_executable(coupled_pictures support/coupled_pictures.cpp)
-target_link_libraries(coupled_pictures PRIVATE pennon_test_support pennon::analysis_figures pennon::lsa)
-# Not a test: keeps what a run said under data/reference/pennon/runs.
-add_executable(keep_run support/keep_run.cpp)
-target_link_libraries(keep_run PRIVATE pennon_test_support pennon::common_case pennon::common_io pennon::common_record)
-pennon_test(test_added_mass LABEL unit SOURCES unit/dns/coupling/added_mass.cpp LINK pennon::dns_run)
-pennon_test(test_coupling LABEL verification SOURCES verification/dns/coupling/coupling.cpp
-            LINK pennon::dns_run)
+# The flag by itself.
+pennon_test(test_flag
+  SOURCES
+    unit/dns/flag/forces.cpp
+    unit/dns/flag/frequency.cpp
+    unit/dns/flag/tangent_matrix.cpp
+    unit/dns/run/initial_shape.cpp
+  LINK pennon::dns_run)
+# In a program of its own: it takes the place of malloc.
+pennon_test(test_flag_allocations
+  SOURCES
+    unit/dns/flag/allocations.cpp
+  LINK pennon::dns_run)
+pennon_test(test_flag_verification
+  SOURCES
+    verification/dns/flag/extremes.cpp
+    verification/dns/flag/in_vacuo.cpp
+    verification/dns/flag/lines.cpp
+    verification/dns/flag/plates.cpp
+  LINK pennon::dns_run pennon::modes_normal)
+
+# The fluid about a flag that moves as it is told.
+pennon_test(test_fluid
+  SOURCES
+    unit/dns/fluid/parts.cpp
+  LINK pennon::dns_run)
+# In a program of its own: it takes the place of malloc.
+pennon_test(test_fluid_allocations
+  SOURCES
+    unit/dns/fluid/allocations.cpp
+  LINK pennon::dns_run)
+pennon_test(test_fluid_verification
+  SOURCES
+    verification/dns/fluid/budgets.cpp
+    verification/dns/fluid/extremes.cpp
+    verification/dns/fluid/identities.cpp
+    verification/dns/fluid/manufactured.cpp
+    verification/dns/fluid/outflow.cpp
+    verification/dns/fluid/plate.cpp
+    verification/dns/fluid/potential.cpp
+  LINK pennon::dns_run pennon::lsa)
+pennon_test(test_fluid_validation
+  SOURCES
+    validation/dns/fluid/large_grid.cpp
+    validation/dns/fluid/plate_drag.cpp
+    validation/dns/fluid/theodorsen.cpp
+  LINK pennon::dns_run)
+
+# Flag and fluid together.
+pennon_test(test_coupling
+  SOURCES
+    unit/dns/coupling/added_mass.cpp
+  LINK pennon::dns_run)
+# In a program of its own: it takes the place of malloc.
+pennon_test(test_coupling_allocations
+  SOURCES
+    unit/dns/coupling/allocations.cpp
+  LINK pennon::dns_run)
+pennon_test(test_coupling_verification
+  SOURCES
+    verification/dns/coupling/coupling.cpp
+  LINK pennon::dns_run)

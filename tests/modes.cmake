@@ -1,4 +1,5 @@
-pennon_test(test_modes LABEL unit
+# The normal modes.
+pennon_test(test_modes
   SOURCES
     unit/modes/normal/bessel_zero.cpp
     unit/modes/normal/decomposition.cpp
@@ -9,8 +10,12 @@ pennon_test(test_modes LABEL unit
     unit/modes/normal/spline_space.cpp
     unit/modes/normal/study.cpp
   LINK pennon::modes_normal Boost::headers GTest::gmock)
-pennon_test(test_modes_in_vacuo LABEL verification
-  SOURCES verification/modes/normal/in_vacuo.cpp verification/modes/normal/second_methods.cpp
+pennon_test(test_modes_verification
+  SOURCES
+    verification/modes/normal/in_vacuo.cpp
+    verification/modes/normal/second_methods.cpp
   LINK pennon::modes_normal Boost::headers)
-pennon_test(test_modes_bessel_table LABEL validation
-  SOURCES validation/modes/normal/bessel_table.cpp LINK pennon::modes_normal Boost::headers)
+pennon_test(test_modes_validation
+  SOURCES
+    validation/modes/normal/bessel_table.cpp
+  LINK pennon::modes_normal Boost::headers)

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# Proves that packages.txt names all that pennon needs: makes a bare Debian 12 in a temporary folder,
-# clones this checkout (what is committed) into it, and runs there
+# Proves that packages.txt names all that pennon needs, section by section: makes a bare Debian 12 in a
+# temporary folder, clones this checkout (what is committed) into it, and runs there
 #
 #   PENNON_SETUP_ONLY=1 ./run.sh              with the network
 #   PENNON_SETUP_ONLY=1 ./run.sh              again at once, without any network
+#   PENNON_SETUP_ONLY=1 ./test.sh             with the network
 #   ./test.sh [LABEL]                         without any network
 #
 # usage: tests/support/prove_bare_system.sh [LABEL]
 #
+# Says how long each took. With the label lint it installs and runs the lint check instead of the tests.
 # Takes root, debootstrap, 4 GB in /var/tmp (or TMPDIR), and the time of a full build. The mirror and
 # the settings of apt are those of the system it runs on.
 set -euo pipefail
@@ -44,8 +46,21 @@ git clone --quiet --no-hardlinks "$checkout" "$tree/pennon"
 # Runs a command in the tree with nothing of this system's environment but what is given first.
 inside() { env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 "$@"; }
 
-inside PENNON_SETUP_ONLY=1 chroot "$tree" /pennon/run.sh
-echo "== once more, without a network"
-inside PENNON_SETUP_ONLY=1 unshare --net chroot "$tree" /pennon/run.sh
-echo "== the tests, without a network"
-inside unshare --net chroot "$tree" /pennon/test.sh "$@"
+with_network() { inside PENNON_SETUP_ONLY=1 chroot "$tree" "$@"; }
+
+step() {
+  echo "== $1"
+  local start=$SECONDS
+  shift
+  "$@"
+  echo "== took $((SECONDS - start)) s"
+}
+
+setup_of_tests=(/pennon/test.sh)
+[[ ${1:-} != lint ]] || setup_of_tests+=(lint)
+
+step "the programs, with the network" with_network /pennon/run.sh
+step "once more, without a network" \
+  inside PENNON_SETUP_ONLY=1 unshare --net chroot "$tree" /pennon/run.sh
+step "what the tests need, with the network" with_network "${setup_of_tests[@]}"
+step "the tests, without a network" inside unshare --net chroot "$tree" /pennon/test.sh "$@"

@@ -1,4 +1,5 @@
-// Layers point down only: a folder includes what its library links, and links have no cycle.
+// Layers point down only: a folder includes what its library links, links have no cycle, and the
+// picture in docs/architecture.md shows them.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -102,6 +103,41 @@ TEST(Layers, IncludeOnlyWhatIsBelowThem) {
       ++files;
     }
   EXPECT_GT(files, 300);
+}
+
+// What docs/architecture.md draws: each arrow from a library to one that it links.
+Layers layers_of_the_picture() {
+  static const std::regex arrow(R"re(^ *(\w+)(?:\[.*\])? --> (\w+))re");
+  std::ifstream page(source_folder() / "docs/architecture.md");
+  std::stringstream lines;
+  std::smatch match;
+  for (std::string line; std::getline(page, line);)
+    if (std::regex_search(line, match, arrow)) {
+      lines << "picture pennon::" << match[1] << " pennon::" << match[2] << '\n';
+      lines << "picture pennon::" << match[2] << '\n';
+    }
+  return Layers(lines);
+}
+
+// What a library stands on, but for common/, which the picture leaves out.
+std::set<std::string> drawn_below(const Layers& layers, const std::string& library) {
+  std::set<std::string> found;
+  layers.collect(library, found);
+  std::erase_if(found, [](const std::string& name) { return name.starts_with("pennon::common"); });
+  return found;
+}
+
+TEST(Layers, AreThoseThatThePictureInTheDocsShows) {
+  const Layers layers = layers_of_the_build(), picture = layers_of_the_picture();
+  for (const auto& [library, links] : layers.links) {
+    if (library.starts_with("pennon::common")) continue;
+    ASSERT_TRUE(picture.links.contains(library)) << "docs/architecture.md lacks " << library;
+    EXPECT_EQ(drawn_below(picture, library), drawn_below(layers, library)) << library;
+  }
+  for (const auto& [name, links] : picture.links)
+    if (name != "pennon::global_main") {  // the program of the global modes
+      EXPECT_TRUE(layers.links.contains(name)) << name << " is no library of the build";
+    }
 }
 
 // The test can fail.

@@ -1,7 +1,7 @@
 /// Whatever a case file holds, it is either read or refused in words: no crash, no hang, nothing
 /// else thrown. The environment may ask for more inputs than the ordinary tests try:
 ///
-///   PENNON_FUZZ_INPUTS=1000000 build-sanitize/tests/common_tests --gtest_filter='CaseFuzz.*'
+///   PENNON_FUZZ_INPUTS=1000000 build-sanitize/tests/test_common --gtest_filter='CaseFuzz.*'
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,0 +1,12 @@
+# Not tests: these draw the pictures of docs/accuracy.md, and keep what a run said under
+# data/reference/pennon/runs.
+function(pennon_tool name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(${name} support/${name}.cpp)
+  target_link_libraries(${name} PRIVATE pennon_test_support ${ARG_LINK})
+endfunction()
+
+pennon_tool(lsa_error_picture LINK pennon::lsa pennon::analysis_figures)
+pennon_tool(fluid_pictures LINK pennon::analysis_figures)
+pennon_tool(coupled_pictures LINK pennon::analysis_figures pennon::lsa)
+pennon_tool(keep_run LINK pennon::common_case pennon::common_io pennon::common_record)
