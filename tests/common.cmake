@@ -8,9 +8,10 @@ pennon_test(common_tests LABEL unit
     unit/common/io/hdf5.cpp
     unit/common/case/nearest_name.cpp
     unit/common/io/output_folder.cpp
+    unit/common/process/process.cpp
     unit/common/progress.cpp
     unit/common/record/record.cpp
     unit/common/case/schema.cpp
     unit/common/case/sweep.cpp
     unit/common/io/xdmf.cpp
-  LINK pennon::common_case pennon::common_io pennon::common_record Boost::headers GTest::gmock util)
+  LINK pennon::common_case pennon::common_io pennon::common_process pennon::common_record Boost::headers GTest::gmock util)
