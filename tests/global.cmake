@@ -3,6 +3,8 @@ pennon_test(test_global_parts LABEL unit SOURCES unit/modes/global/equations/par
 pennon_test(test_map_eigenpairs LABEL unit SOURCES unit/modes/global/matrix_free/map_eigenpairs.cpp
             LINK pennon::modes_global_matrix_free Boost::headers)
 pennon_test(test_global_fields LABEL unit SOURCES unit/modes/global/study/fields.cpp LINK pennon::modes_global_matrix_free)
+pennon_test(test_global_reports LABEL unit SOURCES unit/modes/global/study/reports.cpp unit/modes/global/study/wire.cpp
+            LINK pennon::modes_global_study GTest::gmock)
 pennon_test(test_global_still_fluid LABEL verification
             SOURCES verification/modes/global/still_fluid.cpp LINK pennon::modes_global_study pennon::modes_global_solve_slepc)
 pennon_test(test_global_neutral LABEL unit
