@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "analysis/figures/of_run.hpp"
-#include "analysis/signal/run_study.hpp"
+#include "analysis/signal/run_report.hpp"
 #include "app/commands.hpp"
 #include "app/run_of_case.hpp"
 #include "common/io/atomic_file.hpp"

@@ -1,50 +1,40 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 
 #include "analysis/signal/run_study.hpp"
 #include "app/commands.hpp"
+#include "app/compare_report.hpp"
 #include "app/global_process.hpp"
 #include "app/run_of_case.hpp"
-#include "common/io/atomic_file.hpp"
-#include "common/io/csv.hpp"
 #include "common/stop_watch.hpp"
 #include "lsa/settings.hpp"
 
 namespace pennon::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// What a model says of waves along the span.
-struct Row {
-  std::string model;                                  // local, global, dns
-  std::optional<double> waves = {};                   // n of k_x = 2 pi n/gamma
-  std::optional<double> growth = {}, frequency = {};  // in V/L
-  std::optional<bool> is_unstable = {};
-  double wall_seconds = 0;
-  std::optional<bool> travels_with_U = {};  // along the span, where there is a cross-flow
-};
-
 double k_x_of(std::int64_t waves, const FlagParameters& flag) {
   return flag.gamma ? 2 * std::numbers::pi * static_cast<double>(waves) / *flag.gamma : 0;
 }
 
-Row local_row(const Case& the_case, std::int64_t waves) {
+ComparedModel local_row(const Case& the_case, std::int64_t waves) {
   const StopWatch watch;
   lsa::Point point = lsa::point_of(the_case.flag, the_case.flow, the_case.lsa);
   point.k_x = k_x_of(waves, the_case.flag);
   const lsa::Stability found = lsa::solve(point, the_case.lsa.theory);
-  Row row{"local", waves, found.growth, found.frequency, found.is_unstable(), 0};
+  ComparedModel row{"local", waves, found.growth, found.frequency, found.is_unstable(), 0};
   row.wall_seconds = watch.seconds();
   return row;
 }
 
 // The mode that grows most, of either direction along the span, of a flag with as many spanwise
 // nodes as the simulation's.
-Row global_row(const Case& the_case, std::int64_t waves, const OutputFolder& folder) {
+ComparedModel global_row(const Case& the_case, std::int64_t waves, const OutputFolder& folder) {
   const StopWatch watch;
   modes::global::Settings settings = the_case.global_modes;
   settings.k_x = k_x_of(waves, the_case.flag);
@@ -54,20 +44,20 @@ Row global_row(const Case& the_case, std::int64_t waves, const OutputFolder& fol
   if (waves > 0) settings.n_x = std::max(fewest_nodes, the_case.dns.n_x / waves);
   const OutputFolder its_own(folder / fmt::format("global_{}", waves));
   const modes::global::Problem problem(the_case.flag, the_case.flow, settings);
-  const Json found = solve_global_modes(problem, its_own);
-  const Json& leading = found["global"]["modes"].front();
-  const double growth = leading["growth"], frequency = leading["frequency"];
-  Row row{"global", waves, growth, std::abs(frequency), growth > 0, watch.seconds()};
+  const modes::global::Findings found = solve_global_modes(problem, its_own);
+  const std::complex<double> lambda = found.spectrum.modes.front().lambda;
+  const double growth = lambda.real(), frequency = lambda.imag() / (2 * std::numbers::pi);
+  ComparedModel row{"global", waves, growth, std::abs(frequency), growth > 0, watch.seconds()};
   // exp(i (k_x x + 2 pi f t)): with f < 0 towards positive x.
   if (waves > 0 && the_case.flow.U != 0) row.travels_with_U = frequency * the_case.flow.U < 0;
   return row;
 }
 
 // The linear phase of a run; whether it ended flapping.
-Row dns_row(const RunOfCase& run, std::vector<std::string>& notes) {
+ComparedModel dns_row(const RunOfCase& run, std::vector<std::string>& notes) {
   const analysis::RunAnalysis found =
       analysis::analyze_run(run.folder, run.the_case->analysis, context_of(*run.the_case));
-  Row row{.model = "dns", .wall_seconds = run.wall_seconds};
+  ComparedModel row{.model = "dns", .wall_seconds = run.wall_seconds};
   if (const auto& growth = found.linear.growth) {
     row.waves = static_cast<double>(found.linear.wave);
     row.growth = growth->sigma;
@@ -77,58 +67,6 @@ Row dns_row(const RunOfCase& run, std::vector<std::string>& notes) {
   if (found.limit_cycle.cycle) row.is_unstable = true;
   for (const std::string& note : found.notes()) notes.push_back(note);
   return row;
-}
-
-std::string verdict(const Row& row) {
-  if (!row.is_unstable) return "-";
-  return *row.is_unstable ? "unstable" : "stable";
-}
-
-std::string direction(const Row& row) {
-  if (!row.travels_with_U) return "";
-  return *row.travels_with_U ? "   with the cross-flow" : "   against the cross-flow";
-}
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
-
-Json to_json(const std::vector<Row>& rows) {
-  Json json = Json::array();
-  for (const Row& row : rows)
-    json.push_back({{"model", row.model},
-                    {"waves", or_null(row.waves)},
-                    {"growth", or_null(row.growth)},
-                    {"frequency", or_null(row.frequency)},
-                    {"unstable", or_null(row.is_unstable)},
-                    {"travels_with_cross_flow", or_null(row.travels_with_U)},
-                    {"wall_s", row.wall_seconds}});
-  return json;
-}
-
-std::string text_of(const std::vector<Row>& rows) {
-  std::string text = "  model    waves      growth   frequency   verdict     seconds\n";
-  const auto number = [](const std::optional<double>& value) {
-    return value ? fmt::format("{:.4g}", *value) : std::string("-");
-  };
-  for (const Row& row : rows)
-    text += fmt::format("  {:<8} {:>5} {:>11} {:>11}   {:<9} {:>9.3g}{}\n", row.model,
-                        number(row.waves), number(row.growth), number(row.frequency), verdict(row),
-                        row.wall_seconds, direction(row));
-  return text;
-}
-
-std::string table_of(const std::vector<Row>& rows) {
-  CsvText table(
-      "models of the same flag: growth rate and frequency of the mode that grows most, in "
-      "V/L, of waves along the span; wall_s: what it took, in seconds",
-      {"model", "verdict", "waves", "growth", "frequency", "wall_s"});
-  for (const Row& row : rows)
-    table.row({row.waves.value_or(NAN), row.growth.value_or(NAN), row.frequency.value_or(NAN),
-               row.wall_seconds},
-              {row.model, verdict(row)});
-  return table.text();
 }
 
 }  // namespace
@@ -142,7 +80,7 @@ void run_compare(Options options, const std::string& run_folder) {
     the_case.compare.is_given = true;
   };
   const auto work = [&](const Case& the_case, const OutputFolder& folder, Record& record) {
-    std::vector<Row> rows;
+    std::vector<ComparedModel> rows;
     std::vector<std::string> notes;
     for (const std::int64_t waves : waves_of(the_case.compare, the_case.flag))
       rows.push_back(local_row(the_case, waves));
@@ -156,7 +94,7 @@ void run_compare(Options options, const std::string& run_folder) {
     else
       notes.push_back(fmt::format("no simulation to compare with in {}; pennon dns {} makes one",
                                   usual.string(), options.case_file));
-    write_file(folder / "compare.csv", table_of(rows));
+    write_table(rows, folder);
     std::string text = fmt::format("{}: side by side\n{}", the_case.name, text_of(rows));
     for (const std::string& note : notes) text += "  " + note + "\n";
     return Answer{{{"compare", to_json(rows)}}, text};

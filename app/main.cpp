@@ -1,10 +1,9 @@
-/// The command line of pennon: reads it, runs one command, turns faults into messages and exit
-/// codes (0 done, 2 bad input, 3 not converged or blown up, 1 anything else).
+/// The command line of pennon: reads it and runs one command. Exit codes: 0 done, 2 bad input, 3
+/// not converged or blown up, 1 anything else (common/parallel/exit_code.hpp).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <exception>
 #include <string>
 
 #include "app/commands.hpp"
@@ -12,18 +11,13 @@
 #include "app/manual_page.hpp"
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
-#include "common/parallel/ranks.hpp"
+#include "common/parallel/exit_code.hpp"
 #include "common/petsc/petsc.hpp"
 #include "common/record/version.hpp"
 
 namespace {
 
 using namespace pennon;
-
-constexpr int exit_done = 0;
-constexpr int exit_other = 1;
-constexpr int exit_bad_input = 2;
-constexpr int exit_not_converged = 3;
 
 std::string version_text() {
   std::string text = fmt::format("pennon {} (commit {})\n", version(), commit());
@@ -137,29 +131,12 @@ bool is_parallel() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
 }
 
-void say(const char* text) {
-  if (ranks::is_leading()) fmt::print(stderr, "{}\n", text);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   watch_for_interrupts();
-  try {
+  return exit_code_of([&] {
     if (is_parallel()) petsc::start();
     return run(argc, argv);
-  } catch (const InputError& fault) {
-    say(fault.what());
-    return exit_bad_input;
-  } catch (const SolverError& fault) {
-    say(fmt::format("pennon: {}", fault.what()).c_str());
-    return exit_not_converged;
-  } catch (const Interrupted& stop) {
-    say(fmt::format("pennon: {}", stop.what()).c_str());
-    return exit_other;
-  } catch (const std::exception& fault) {  // of this rank alone: a full disk, a bug
-    fmt::print(stderr, "pennon: {}\n", fault.what());
-    if (ranks::count() > 1) ranks::abandon(exit_other);
-    return exit_other;
-  }
+  });
 }

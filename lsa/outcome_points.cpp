@@ -1,5 +1,7 @@
 #include "lsa/outcome_points.hpp"
 
+#include "common/io/outcome_points.hpp"
+
 namespace pennon::lsa {
 
 std::optional<double> coordinate(const Outcome& outcome, Axis axis) {
@@ -15,20 +17,6 @@ std::optional<double> coordinate(const Outcome& outcome, Axis axis) {
     default:
       return std::nullopt;
   }
-}
-
-void OutcomePoints::add(double along_x, double along_y, bool is_unstable) {
-  x.push_back(along_x);
-  y.push_back(along_y);
-  unstable.push_back(is_unstable ? 1 : 0);
-}
-
-void write(const OutcomePoints& points, hdf5::Writer& file) {
-  if (points.x.empty()) return;
-  file.write("/marks/x", {points.x.size()}, points.x);
-  file.write("/marks/y", {points.y.size()}, points.y);
-  file.write("/marks/unstable", {points.unstable.size()}, points.unstable,
-             {{"meaning", "1: unstable in the table of outcomes, 0: stable"}});
 }
 
 void write_outcome_points(hdf5::Writer& file, const std::vector<Outcome>& outcomes, Axis x,

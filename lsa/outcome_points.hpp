@@ -14,19 +14,9 @@ namespace pennon::lsa {
 /// The outcome's coordinate along an axis; none where the table does not say it.
 std::optional<double> coordinate(const Outcome&, Axis);
 
-/// The coordinates of each outcome, and whether it was unstable (1) or stable (0).
-struct OutcomePoints {
-  std::vector<double> x, y, unstable;
-
-  void add(double along_x, double along_y, bool is_unstable);
-};
-
-/// Writes /marks/x, /marks/y and /marks/unstable; nothing without points.
-void write(const OutcomePoints&, hdf5::Writer&);
-
-/// Writes the outcomes that have a coordinate along both axes; one with a cross-flow only where the
-/// model has it (`cross_flow`). `y` is the name of an axis, or "mu_cr", which is compared with mu.
-/// Writes nothing where `y` is neither.
+/// Writes the outcomes (common/io/outcome_points.hpp) that have a coordinate along both axes; one
+/// with a cross-flow only where the model has it (`cross_flow`). `y` is the name of an axis, or
+/// "mu_cr", which is compared with mu. Writes nothing where `y` is neither.
 void write_outcome_points(hdf5::Writer&, const std::vector<Outcome>&, Axis x, const std::string& y,
                           bool cross_flow);
 

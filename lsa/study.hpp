@@ -1,7 +1,6 @@
-/// The local stability analysis of a case: what `pennon lsa` computes and writes.
+/// The local stability analysis of a case: what `pennon lsa` computes.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "lsa/curve.hpp"
 #include "lsa/map.hpp"
 #include "lsa/most_unstable.hpp"
+#include "lsa/outcomes.hpp"
 #include "lsa/settings.hpp"
 #include "lsa/verdicts.hpp"
 
@@ -18,21 +18,20 @@ namespace pennon::lsa {
 struct Result {
   Point point;
   Stability stability;
-  std::optional<Curve> curve;
-  std::optional<MapSummary> map;
-  std::optional<Axis> sought;  ///< the wavenumber that was maximised over
-  std::optional<MostUnstable> most_unstable;
-  std::optional<Verdicts> verdicts;
+  bool has_cross_flow = false;      ///< of the model
+  std::vector<Outcome> marks = {};  ///< known outcomes, for the pictures
+  std::optional<Curve> curve = {};
+  std::optional<MapSummary> map = {};
+  std::optional<Axis> sought = {};  ///< the wavenumber that was maximised over
+  std::optional<MostUnstable> most_unstable = {};
+  std::optional<Verdicts> verdicts = {};
+  std::optional<Curve> critical_mass_ratios = {};  ///< beside the verdicts, over the searched k_y
 };
 
-/// Computes what the settings ask for and writes curve.csv, curve.h5, map.h5, neutral.csv,
-/// verdicts.csv and verdicts.h5 to the folder. `settings` as check() accepts them. Throws
-/// InputError (a table of outcomes), SolverError, FileError, Interrupted.
+/// Computes what the settings ask for. The map may be larger than the memory and is therefore
+/// written as it is computed: map.h5 and neutral.csv, in the folder. `settings` as check() accepts
+/// them. Throws InputError (a table of outcomes), SolverError, FileError, Interrupted.
 Result run(const Settings&, const FlagParameters&, const FlowParameters&, const OutputFolder&,
            bool shows_progress);
-
-/// The value of "lsa" in summary.json: k_x, k_y, c_m, P, omega [[re, im], [re, im]], growth,
-/// frequency, mu_cr (null if none), unstable; and curve, map, most_unstable, verdicts where asked.
-nlohmann::ordered_json to_json(const Result&);
 
 }  // namespace pennon::lsa

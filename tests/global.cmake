@@ -8,7 +8,9 @@ pennon_test(test_global
     unit/modes/global/study/both_signs.cpp
     unit/modes/global/study/fields.cpp
     unit/modes/global/study/neutral_curve.cpp
-  LINK pennon::modes_global_matrix_free pennon::modes_normal Boost::headers)
+    unit/modes/global/study/reports.cpp
+    unit/modes/global/study/wire.cpp
+  LINK pennon::modes_global_matrix_free pennon::modes_normal Boost::headers GTest::gmock)
 pennon_test(test_global_verification
   SOURCES
     verification/modes/global/base_flow.cpp

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "analysis/drawing/plane_section.hpp"
+#include "common/shape_phases.hpp"
 
 namespace pennon::analysis {
 namespace {
@@ -22,11 +23,10 @@ std::string title_of(const hdf5::Reader& file, std::size_t mode) {
                      std::abs(growth), omega < 0 ? "−" : "+", std::abs(omega));
 }
 
-// The flag at four phases between the envelopes of its motion.
+// The flag at the phases between the envelopes of its motion.
 Figure shapes_of(const hdf5::Reader& file, std::size_t mode) {
-  constexpr std::array<const char*, 4> phases = {"0°", "45°", "90°", "135°"};
-  constexpr std::array<Stroke, 4> strokes = {Stroke::solid, Stroke::dashed, Stroke::dash_dotted,
-                                             Stroke::dotted};
+  constexpr std::array<Stroke, shape_phases.size()> strokes = {Stroke::solid, Stroke::dashed,
+                                                               Stroke::dash_dotted, Stroke::dotted};
   Figure figure;
   figure.title = title_of(file, mode);
   figure.x.label = "{/:Italic y}/{/:Italic L}";
@@ -47,11 +47,11 @@ Figure shapes_of(const hdf5::Reader& file, std::size_t mode) {
     figure.lines.push_back(std::move(envelope));
   }
   figure.lines.back().label = "envelope";
-  for (std::size_t k = 0; k < phases.size(); ++k) {
+  for (std::size_t k = 0; k < shape_phases.size(); ++k) {
     const auto begin = shapes.begin() + static_cast<std::ptrdiff_t>(k * y.size());
     figure.lines.push_back({y,
                             {begin, begin + static_cast<std::ptrdiff_t>(y.size())},
-                            phases[k],
+                            fmt::format("{}°", shape_phases[k]),
                             strokes[k],
                             static_cast<int>(k)});
   }

@@ -18,7 +18,7 @@ struct NamedFigure {
   Figure figure;
 };
 
-/// Of the first modes: mode_1_shape, the flag at the phases 0, 45, 90, 135 degrees and the envelope
+/// Of the first modes: mode_1_shape, the flag at each of shape_phases and the envelope
 /// of its motion; mode_1_vorticity, the real part at fixed points about flag and wake; where there
 /// are adjoints mode_1_wavemaker, and mode_1_flag_wavemaker along the flag.
 std::vector<NamedFigure> figures_of_global_modes(const hdf5::Reader&);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,6 @@
 #include "analysis/signal/settings.hpp"
 #include "analysis/signal/spanwise_amplitudes.hpp"
 #include "analysis/signal/travelling_wave.hpp"
-#include "common/io/output_folder.hpp"
 
 namespace pennon::analysis {
 
@@ -32,17 +30,8 @@ struct RunAnalysis {
   std::vector<std::string> notes() const;
 };
 
-/// Throws InputError as read_run_history(), and where the window
-/// of the settings does not lie in the run.
+/// Throws InputError as read_run_history(), and where the window of the settings does not lie in
+/// the run.
 RunAnalysis analyze_run(const std::filesystem::path& folder, const Settings&, const RunContext&);
-
-/// The object of the key "analyze".
-nlohmann::ordered_json to_json(const RunAnalysis&);
-
-/// The same for a reader, without the notes.
-std::string text_of(const RunAnalysis&);
-
-/// Writes spanwise_amplitudes.csv, limit_cycle.csv and energy.csv. Throws FileError.
-void write_tables(const RunAnalysis&, const OutputFolder&);
 
 }  // namespace pennon::analysis

@@ -9,6 +9,7 @@
 #include "common/io/csv.hpp"
 #include "common/io/hdf5.hpp"
 #include "common/io/xdmf.hpp"
+#include "common/shape_phases.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -89,7 +90,8 @@ class FieldsFile {
     points_ = {corners_[0], corners_[1], 2};
     writer_.write("/points", points_, result_.fields.points,
                   about("y, z of the grid's corners at rest, in L"));
-    writer_.write("/y", {result_.chord.size()}, result_.chord, about("the flag's nodes, in L"));
+    writer_.write("/y", {result_.found.chord.size()}, result_.found.chord,
+                  about("the flag's nodes, in L"));
     std::vector<double> nodes;
     nodes.reserve(2 * result_.nodes.size());
     for (const auto& [x, y] : result_.nodes) nodes.insert(nodes.end(), {x, y});
@@ -102,8 +104,8 @@ class FieldsFile {
   void write_spectrum() {
     const auto write = [&](const char* name, const char* meaning, auto value) {
       std::vector<double> values;
-      values.reserve(result_.modes.size());
-      for (const GlobalMode& mode : result_.modes) values.push_back(value(mode));
+      values.reserve(result_.found.modes.size());
+      for (const GlobalMode& mode : result_.found.modes) values.push_back(value(mode));
       writer_.write(name, {values.size()}, values, about(meaning));
     };
     write("/growth", "growth rate, in V/L",
@@ -189,12 +191,13 @@ class FieldsFile {
     writer_.write(group + "/zeta_real", {nodes}, parts_of(zeta, real_part), meaning);
     writer_.write(group + "/zeta_imag", {nodes}, parts_of(zeta, imaginary_part), meaning);
     std::vector<double> shapes;
-    shapes.reserve(phases_of_shapes.size() * nodes);
-    for (const double phase : phases_of_shapes)
+    shapes.reserve(shape_phases.size() * nodes);
+    for (const double phase : shape_phases)
       for (const Complex& value : zeta)
         shapes.push_back((value * std::polar(1.0, phase * std::numbers::pi / 180)).real());
-    writer_.write(group + "/shapes", {phases_of_shapes.size(), nodes}, shapes,
-                  about("displacement of the flag at the phases 0, 45, 90, 135 degrees"));
+    writer_.write(group + "/shapes", {shape_phases.size(), nodes}, shapes,
+                  about(fmt::format("displacement of the flag at the phases {} degrees",
+                                    fmt::join(shape_phases, ", "))));
   }
 
   const Result& result_;
@@ -215,8 +218,8 @@ void write_flag_feedback(const Result& result, const std::filesystem::path& file
        "stiffness_real", "stiffness_imag"});
   for (std::size_t m = 0; m < result.fields.modes.size(); ++m) {
     const FlagFeedback& flag = result.fields.modes[m].adjoint->flag;
-    for (std::size_t j = 0; j < result.chord.size(); ++j)
-      table.row({static_cast<double>(m + 1), result.chord[j], flag.wavemaker[j],
+    for (std::size_t j = 0; j < result.found.chord.size(); ++j)
+      table.row({static_cast<double>(m + 1), result.found.chord[j], flag.wavemaker[j],
                  flag.mass[j].real(), flag.mass[j].imag(), flag.damping[j].real(),
                  flag.damping[j].imag(), flag.stiffness[j].real(), flag.stiffness[j].imag()});
   }

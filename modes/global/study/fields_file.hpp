@@ -8,7 +8,7 @@
 ///   /mode_1/fixed_v_real, ...       at fixed points
 ///   /mode_1/displacement_y_real ... of the grid's corners
 ///   /mode_1/zeta_real, zeta_imag    at the nodes of the flag
-///   /mode_1/shapes                  Re [zeta exp(i phase)] at the phases 0, 45, 90, 135 degrees
+///   /mode_1/shapes                  Re [zeta exp(i phase)] at each of shape_phases
 ///   /mode_1/adjoint_v_real, ...     and wavemaker, flag_wavemaker, where there are adjoints
 ///
 /// and u where there is a velocity along x. Cells and corners run [rho][theta] around the whole
@@ -16,14 +16,11 @@
 /// time, mode 1 at t = 1.
 #pragma once
 
-#include <array>
 #include <filesystem>
 
 #include "modes/global/study/study.hpp"
 
 namespace pennon::modes::global {
-
-inline constexpr std::array<double, 4> phases_of_shapes = {0, 45, 90, 135};  ///< degrees
 
 /// Writes FOLDER/global_modes.h5 and global_modes.xdmf, and where there are adjoints
 /// global_flag_feedback.csv, the FlagFeedback along the chord; each whole or not at all. Throws

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "common/interrupt.hpp"
 #include "modes/global/map/reduced_map.hpp"
@@ -91,25 +90,6 @@ class Map {
 GrowthMap growth_map(const FlagParameters& flag, const FlowParameters& flow,
                      const Settings& settings, const std::shared_ptr<SparseFactors>& factors) {
   return Map(flag, flow, settings, factors).run();
-}
-
-nlohmann::ordered_json to_json(const GrowthMap& map) {
-  return {{"over", name(map.parameter)},
-          {"x", map.x},
-          {"mu", map.mu},
-          {"growth", map.growth},
-          {"omega", map.omega},
-          {"neutral", map.neutral},
-          {"basis_size", map.basis_size},
-          {"fit_error", map.fit_error},
-          {"basis_error", map.basis_error},
-          {"checked_basis", map.checked_basis},
-          {"lambda_error", map.lambda_error},
-          {"checked", map.checked},
-          {"samples", map.samples},
-          {"samples_off_axis", map.samples_off_axis},
-          {"sample_s", map.sample_seconds},
-          {"map_s", map.map_seconds}};
 }
 
 }  // namespace pennon::modes::global

@@ -3,7 +3,6 @@
 /// and one fit for all K_B and nu_s, one for each Re and k_x.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "modes/global/solve/sparse_factors.hpp"
@@ -33,8 +32,5 @@ struct GrowthMap {
 /// steady flow or a fit fails.
 GrowthMap growth_map(const FlagParameters&, const FlowParameters&, const Settings&,
                      const std::shared_ptr<SparseFactors>&);
-
-/// The arrays too.
-nlohmann::ordered_json to_json(const GrowthMap&);
 
 }  // namespace pennon::modes::global

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "common/errors.hpp"
 #include "common/stop_watch.hpp"
@@ -45,6 +44,7 @@ class Curve {
 
   NeutralCurve run() {
     std::vector<CurvePoint> found(values_.size());
+    std::vector<std::string> faults(values_.size());  // why there are no modes
     const std::size_t last = values_.size() - 1;
     const auto every = static_cast<std::size_t>(wanted_.scan_every);
     std::size_t last_scan = 0, scan_to = 0;
@@ -55,7 +55,7 @@ class Curve {
       const int known = branches_;
       const bool is_due =
           i <= scan_to || i == last || i % every == 0 || !linearisations_.fluid_varies();
-      find(is_due, expectations(found, i), point);
+      faults[i] = find(is_due, expectations(found, i), point);
       if (point.fit_error == 0) continue;
       if (i > last_scan + 1 && i > scan_to && has_new_lowest(point, known)) {
         // It was already there, or came in between.
@@ -66,29 +66,30 @@ class Curve {
       last_scan = i;
     }
     NeutralCurve curve{.parameter = parameter(wanted_), .points = {}, .missing = {}};
-    for (CurvePoint& point : found) {
-      if (point.modes.empty())
-        curve.missing.push_back({point.value, point.fault});
+    for (std::size_t i = 0; i <= last; ++i) {
+      if (found[i].modes.empty())
+        curve.missing.push_back({found[i].value, faults[i]});
       else
-        curve.points.push_back(std::move(point));
+        curve.points.push_back(std::move(found[i]));
     }
     return curve;
   }
 
  private:
-  // The modes at a point, followed or sought; what fails is said there.
-  void find(bool is_due, const std::vector<Expected>& expected, CurvePoint& point) try {
+  // The modes at a point, followed or sought. Returns why there are none, or nothing.
+  std::string find(bool is_due, const std::vector<Expected>& expected, CurvePoint& point) try {
     const StopWatch watch;
     Linearisation linearised = linearisations_.at(point.value);
     if (is_due || !follow(linearised, expected, point)) scan(linearised, expected, point);
     point.seconds = watch.seconds();
     if (point.modes.empty())
-      point.fault = "no neutral mode with its mass ratio and frequency between those given";
-    else if (wanted_.check && (point.value == values_.front() || point.value == values_.back()))
+      return "no neutral mode with its mass ratio and frequency between those given";
+    if (wanted_.check && (point.value == values_.front() || point.value == values_.back()))
       verify(linearised, point);
+    return {};
   } catch (const SolverError& fault) {
     point.modes.clear();
-    point.fault = fault.what();
+    return fault.what();
   }
 
   double coordinate(std::size_t i) const { return is_log_ ? std::log(values_[i]) : values_[i]; }
@@ -209,47 +210,12 @@ class Curve {
   int branches_ = 0;              // so far
 };
 
-template <class Value>
-nlohmann::ordered_json value_or_null(const std::optional<Value>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-}
-
 }  // namespace
 
 NeutralCurve neutral_curve(const FlagParameters& flag, const FlowParameters& flow,
                            const Settings& settings, const EigenSolver& solve,
                            const std::shared_ptr<SparseFactors>& factors) {
   return Curve(flag, flow, settings, solve, factors).run();
-}
-
-nlohmann::ordered_json to_json(const NeutralCurve& curve) {
-  nlohmann::ordered_json points = nlohmann::ordered_json::array();
-  for (const CurvePoint& point : curve.points) {
-    const BranchPoint& critical = point.modes.front();
-    nlohmann::ordered_json& json = points.emplace_back(nlohmann::ordered_json{
-        {name(curve.parameter), point.value},
-        {"mu_cr", critical.mode.mu},
-        {"omega", critical.mode.omega},
-        {"branch", critical.branch},
-        {"residual", critical.residual},
-        {"fit_error",
-         point.fit_error > 0 ? nlohmann::ordered_json(point.fit_error) : nlohmann::ordered_json()},
-        {"largest_growth", value_or_null(point.largest_growth)},
-        {"distance", value_or_null(point.distance)},
-        {"evaluations", point.evaluations},
-        {"wall_s", point.seconds}});
-    for (const BranchPoint& at : point.modes)
-      json["modes"].push_back({{"branch", at.branch},
-                               {"mu", at.mode.mu},
-                               {"omega", at.mode.omega},
-                               {"growth_by_mu", at.mode.by_mu.real()},
-                               {"residual", at.residual}});
-  }
-  nlohmann::ordered_json missing = nlohmann::ordered_json::array();
-  for (const MissingPoint& point : curve.missing)
-    missing.push_back({{name(curve.parameter), point.value}, {"fault", point.fault}});
-  return {
-      {"neutral", points}, {"neutral_over", name(curve.parameter)}, {"neutral_missing", missing}};
 }
 
 }  // namespace pennon::modes::global

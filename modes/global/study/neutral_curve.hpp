@@ -9,7 +9,6 @@
 /// points between too.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +33,7 @@ struct CurvePoint {
   double seconds = 0;
   /// Of the full operator at mu_cr, where it was asked: the largest growth rate, and how far the
   /// eigenvalue next to i omega is from it.
-  std::optional<double> largest_growth, distance;
-  std::string fault = {};  ///< why there are no modes
+  std::optional<double> largest_growth = {}, distance = {};
 };
 
 struct MissingPoint {
@@ -53,8 +51,5 @@ struct NeutralCurve {
 /// steady flow, a fit or the modes fail is left out, and said so.
 NeutralCurve neutral_curve(const FlagParameters&, const FlowParameters&, const Settings&,
                            const EigenSolver&, const std::shared_ptr<SparseFactors>&);
-
-/// The values of "neutral", "neutral_over" and "neutral_missing" in summary.json.
-nlohmann::ordered_json to_json(const NeutralCurve&);
 
 }  // namespace pennon::modes::global

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "common/errors.hpp"
 #include "common/stop_watch.hpp"
@@ -52,16 +50,6 @@ GlobalMode mode_of(const Eigenpair& pair, const CoupledOperator& coupled) {
                   pair.adjoint_residual};
   mode.zeta.insert(mode.zeta.end(), zeta.begin(), zeta.end());
   return mode;
-}
-
-nlohmann::ordered_json to_json(const Sensitivity& sensitivity) {
-  const auto parts = [](const Complex& value) {
-    return nlohmann::ordered_json{value.real(), value.imag()};
-  };
-  return {{"mu", parts(sensitivity.mu)},
-          {"K_B", parts(sensitivity.K_B)},
-          {"nu_s", parts(sensitivity.nu_s)},
-          {"ln_tension", parts(sensitivity.tension)}};
 }
 
 std::vector<Complex> targets_of(const std::vector<double>& pairs) {
@@ -122,69 +110,37 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
                 .base = base_flow(grid, parameters, k_x != 0 ? 3 : 2),
                 .k_x = k_x,
                 .n_x = static_cast<int>(settings.n_x)};
-  result.chord = dns::coupled_chord(grid);
-  result.base_seconds = watch.lap();
+  FoundModes& found = result.found;
+  found.base_flow = {result.base.drag_coefficient, result.base.residual, result.base.tension};
+  found.chord = dns::coupled_chord(grid);
+  found.base_seconds = watch.lap();
   const dns::FlagMaterial material{flag.mu, flag.K_B, flag.K_S, flag.nu_s, flag.damping};
   const dns::Edge edge =
       flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned;
   const FlagOf flag_of = [&](const dns::FlagMaterial& its, double share) {
-    return flag_operator(result.chord, edge, its, scaled(result.base.forces, share), k_x,
+    return flag_operator(found.chord, edge, its, scaled(result.base.forces, share), k_x,
                          result.n_x);
   };
   const CoupledOperator coupled = coupled_operator(grid, result.base, flag_of(material, 1), k_x);
   result.nodes = coupled.flag.nodes;
-  result.unknowns = coupled.size();
-  result.operator_seconds = watch.lap();
+  found.unknowns = coupled.size();
+  found.operator_seconds = watch.lap();
   const Spectrum spectrum =
       settings.n_modes > 0 ? spectrum_of(coupled, settings, solve) : Spectrum{};
-  result.eigen_seconds = watch.seconds();
-  result.requested = spectrum.requested;
-  result.converged = static_cast<int>(spectrum.pairs.size());
+  found.eigen_seconds = watch.seconds();
+  found.requested = spectrum.requested;
+  found.converged = static_cast<int>(spectrum.pairs.size());
   if (spectrum.pairs.empty() && settings.n_modes > 0)
     throw SolverError(
         "no global mode converged; another modes.global.target or a finer grid may help");
   for (const Eigenpair& pair : spectrum.pairs) {
-    GlobalMode& mode = result.modes.emplace_back(mode_of(pair, coupled));
+    GlobalMode& mode = found.modes.emplace_back(mode_of(pair, coupled));
     if (settings.adjoint) mode.sensitivity = sensitivity(pair, coupled, material, flag_of);
   }
   if (settings.adjoint)
-    result.biorthogonality_defect = biorthogonality_defect(coupled, spectrum.pairs);
+    found.biorthogonality_defect = biorthogonality_defect(coupled, spectrum.pairs);
   result.fields = fields_of_modes(grid, result.base, coupled, spectrum.pairs);
   return result;
-}
-
-nlohmann::ordered_json to_json(const Result& result) {
-  nlohmann::ordered_json json = {{"base_flow",
-                                  {{"drag_coefficient", result.base.drag_coefficient},
-                                   {"tension_leading_edge", result.base.tension.front()},
-                                   {"residual", result.base.residual}}},
-                                 {"requested", result.requested},
-                                 {"converged", result.converged}};
-  if (result.biorthogonality_defect)
-    json["biorthogonality_defect"] = *result.biorthogonality_defect;
-  json["modes"] = nlohmann::ordered_json::array();
-  nlohmann::ordered_json shapes = nlohmann::ordered_json::array();
-  for (const GlobalMode& mode : result.modes) {
-    json["modes"].push_back({{"growth", mode.lambda.real()},
-                             {"omega", mode.lambda.imag()},
-                             {"frequency", mode.lambda.imag() / (2 * std::numbers::pi)},
-                             {"residual", mode.residual}});
-    if (mode.sensitivity) {
-      json["modes"].back()["adjoint_residual"] = mode.adjoint_residual;
-      json["modes"].back()["sensitivity"] = to_json(*mode.sensitivity);
-    }
-    nlohmann::ordered_json& shape = shapes.emplace_back(nlohmann::ordered_json::array());
-    for (const Complex& value : mode.zeta) shape.push_back({value.real(), value.imag()});
-  }
-  return {{"global", json},
-          {"unknowns", result.unknowns},
-          {"y", result.chord},
-          {"tension", result.base.tension},
-          {"zeta", shapes},
-          {"seconds",
-           {{"base_flow", result.base_seconds},
-            {"operator", result.operator_seconds},
-            {"eigenpairs", result.eigen_seconds}}}};
 }
 
 }  // namespace pennon::modes::global

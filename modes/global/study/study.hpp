@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "modes/global/equations/coupled_operator.hpp"
@@ -16,26 +15,40 @@
 namespace pennon::modes::global {
 
 struct GlobalMode {
-  std::complex<double> lambda;             ///< growth rate and angular frequency, in V/L
-  double residual;                         ///< |A q - lambda B q| over |A q| + |lambda| |B q|
-  std::vector<std::complex<double>> zeta;  ///< at the nodes of the flag, 1 where it is largest
+  std::complex<double> lambda = 0;              ///< growth rate and angular frequency, in V/L
+  double residual = 0;                          ///< |A q - lambda B q| over |A q| + |lambda| |B q|
+  std::vector<std::complex<double>> zeta = {};  ///< at the nodes of the flag, 1 where it is largest
   double adjoint_residual = 0;
   std::optional<Sensitivity> sensitivity = {};  ///< where adjoints were asked for
 };
 
+/// What is told of the steady flow.
+struct BaseFlowSummary {
+  double drag_coefficient = 0;       ///< both sides, on 1/2 rho_f V^2 L
+  double residual = 0;               ///< as BaseFlow has it
+  std::vector<double> tension = {};  ///< at the nodes of the flag, in rho_f V^2 L
+};
+
+/// What is told of the modes: what pennon-global hands to pennon (wire.hpp).
+struct FoundModes {
+  BaseFlowSummary base_flow = {};
+  std::vector<double> chord = {};  ///< y of the flag's nodes
+  Eigen::Index unknowns = 0;
+  int requested = 0, converged = 0;
+  std::optional<double> biorthogonality_defect = {};
+  std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
+  double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
+};
+
+/// The same with the fields of flow and modes (fields_file.hpp).
 struct Result {
   FlagParameters flag;
   BaseFlow base;
   double k_x = 0;
   int n_x = 0;                                    ///< spanwise nodes of the flag in a wave
-  std::vector<double> chord = {};                 ///< y of the flag's nodes
   std::vector<std::array<double, 2>> nodes = {};  ///< in its equilibrium, as FlagOperator has them
-  Eigen::Index unknowns = 0;
-  int requested = 0, converged = 0;
-  std::optional<double> biorthogonality_defect = {};
-  std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
-  FieldsOfModes fields = {};           ///< of the same
-  double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
+  FoundModes found = {};
+  FieldsOfModes fields = {};  ///< of the modes found
 };
 
 /// The flow in a plane that the settings, which are resolved, ask for.
@@ -50,8 +63,5 @@ Spectrum spectrum_of(const CoupledOperator&, const Settings&, const EigenSolver&
 
 /// What the settings ask for. Precondition: they are resolved. Throws SolverError.
 Result run(const FlagParameters&, const FlowParameters&, const Settings&, const EigenSolver&);
-
-/// What pennon-global hands back: the value of "global" in summary.json, the shapes and the times.
-nlohmann::ordered_json to_json(const Result&);
 
 }  // namespace pennon::modes::global

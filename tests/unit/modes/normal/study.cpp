@@ -12,6 +12,7 @@
 #include "common/io/csv.hpp"
 #include "common/io/hdf5.hpp"
 #include "modes/normal/bessel_zero.hpp"
+#include "modes/normal/report.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace pennon::modes {
@@ -64,7 +65,7 @@ TEST(ModesStudy, WritesTablesThatReadBack) {
   settings.decompose = {true, "", {0.1, 0.2}, {0, 0.3}};
   const TemporaryFolder folder;
   const Result result = run(settings, flag(), flow);
-  write(result, OutputFolder(folder.path()));
+  write_tables(result, OutputFolder(folder.path()));
 
   const CsvTable table(folder / "modes.csv");
   ASSERT_EQ(table.rows(), 9u);

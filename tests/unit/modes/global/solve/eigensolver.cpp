@@ -265,19 +265,20 @@ TEST(GlobalEigensolver, MergesTheModesOfSeveralTargetsIntoOneSpectrum) {
   const Result one = modes_near({0.4, 2.6}), other = modes_near({-0.5, 4.5}),
                merged = modes_near({0.4, 2.6, -0.5, 4.5});
   const auto holds = [](const Result& result, const GlobalMode& mode) {
-    return std::ranges::any_of(
-        result.modes, [&](const GlobalMode& each) { return are_same(each.lambda, mode.lambda); });
+    return std::ranges::any_of(result.found.modes, [&](const GlobalMode& each) {
+      return are_same(each.lambda, mode.lambda);
+    });
   };
   std::size_t common = 0;
-  for (const GlobalMode& mode : one.modes) {
+  for (const GlobalMode& mode : one.found.modes) {
     EXPECT_TRUE(holds(merged, mode));
     common += holds(other, mode) ? 1 : 0;
   }
-  for (const GlobalMode& mode : other.modes) EXPECT_TRUE(holds(merged, mode));
+  for (const GlobalMode& mode : other.found.modes) EXPECT_TRUE(holds(merged, mode));
   EXPECT_GT(common, 0u);  // else nothing had to be merged
-  EXPECT_EQ(merged.modes.size(), one.modes.size() + other.modes.size() - common);
-  EXPECT_EQ(merged.fields.modes.size(), merged.modes.size());
-  EXPECT_EQ(merged.requested, 6);
+  EXPECT_EQ(merged.found.modes.size(), one.found.modes.size() + other.found.modes.size() - common);
+  EXPECT_EQ(merged.fields.modes.size(), merged.found.modes.size());
+  EXPECT_EQ(merged.found.requested, 6);
 }
 
 // Without a target. Turning the cross-flow round is a reflection of the span: it conjugates lambda.
@@ -291,7 +292,8 @@ TEST(GlobalEigensolver, SeeksWavesOfEitherDirectionInACrossFlow) {
   settings.n_modes = 6;
   settings = resolve(settings, flag, {16, 32, 12, 4, 0.05, 0, 0.02});
   const auto modes_with = [&](double U) {
-    return run(flag, {.Re = 300, .U = U}, settings, coupled_eigensolver(mumps_factors())).modes;
+    return run(flag, {.Re = 300, .U = U}, settings, coupled_eigensolver(mumps_factors()))
+        .found.modes;
   };
   const std::vector<GlobalMode> along = modes_with(0.5), turned = modes_with(-0.5),
                                 without = modes_with(0);

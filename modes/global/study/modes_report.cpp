@@ -1,0 +1,107 @@
+#include "modes/global/study/modes_report.hpp"
+
+#include <fmt/format.h>
+
+#include <complex>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
+
+#include "common/io/atomic_file.hpp"
+#include "common/io/csv.hpp"
+#include "common/shape_phases.hpp"
+
+namespace pennon::modes::global {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Complex = std::complex<double>;
+
+double frequency(const GlobalMode& mode) {
+  return mode.lambda.imag() / (2 * std::numbers::pi);
+}
+
+Json to_json(const Sensitivity& sensitivity) {
+  const auto parts = [](const Complex& value) { return Json{value.real(), value.imag()}; };
+  return {{"mu", parts(sensitivity.mu)},
+          {"K_B", parts(sensitivity.K_B)},
+          {"nu_s", parts(sensitivity.nu_s)},
+          {"ln_tension", parts(sensitivity.tension)}};
+}
+
+Json to_json(const GlobalMode& mode) {
+  Json json = {{"growth", mode.lambda.real()},
+               {"omega", mode.lambda.imag()},
+               {"frequency", frequency(mode)},
+               {"residual", mode.residual}};
+  if (mode.sensitivity) {
+    json["adjoint_residual"] = mode.adjoint_residual;
+    json["sensitivity"] = to_json(*mode.sensitivity);
+  }
+  return json;
+}
+
+// The spectrum.
+std::string table_of_modes(const FoundModes& found) {
+  CsvText table("global modes exp(lambda t): growth and angular frequency in V/L",
+                {"growth", "omega", "frequency", "residual"});
+  for (const GlobalMode& mode : found.modes)
+    table.row({mode.lambda.real(), mode.lambda.imag(), frequency(mode), mode.residual});
+  return table.text();
+}
+
+// The flag along the chord in each mode; at the phase 0 its displacement is zeta_real.
+std::string table_of_shapes(const FoundModes& found) {
+  static_assert(shape_phases.front() == 0);
+  std::vector<std::string> columns = {"mode", "y", "zeta_real", "zeta_imag"};
+  for (std::size_t k = 1; k < shape_phases.size(); ++k)
+    columns.push_back(fmt::format("at_{}", shape_phases[k]));
+  CsvText table(
+      "displacement of the flag in its global modes, 1 where it is largest, and at phases in "
+      "degrees (at 0 it is zeta_real); y in L",
+      columns);
+  for (std::size_t m = 0; m < found.modes.size(); ++m)
+    for (std::size_t j = 0; j < found.chord.size(); ++j) {
+      const Complex zeta = found.modes[m].zeta[j];
+      std::vector<double> row = {static_cast<double>(m + 1), found.chord[j], zeta.real(),
+                                 zeta.imag()};
+      for (std::size_t k = 1; k < shape_phases.size(); ++k)
+        row.push_back((zeta * std::polar(1.0, shape_phases[k] * std::numbers::pi / 180)).real());
+      table.row(row);
+    }
+  return table.text();
+}
+
+}  // namespace
+
+Json to_json(const FoundModes& found) {
+  Json json = {{"base_flow",
+                {{"drag_coefficient", found.base_flow.drag_coefficient},
+                 {"tension_leading_edge", found.base_flow.tension.front()},
+                 {"residual", found.base_flow.residual}}},
+               {"requested", found.requested},
+               {"converged", found.converged}};
+  if (found.biorthogonality_defect) json["biorthogonality_defect"] = *found.biorthogonality_defect;
+  json["modes"] = Json::array();
+  for (const GlobalMode& mode : found.modes) json["modes"].push_back(to_json(mode));
+  return json;
+}
+
+void write_tables(const FoundModes& found, const OutputFolder& folder) {
+  write_file(folder / "global_modes.csv", table_of_modes(found));
+  write_file(folder / "global_shapes.csv", table_of_shapes(found));
+}
+
+std::string text_of(const FoundModes& found) {
+  std::string text = fmt::format(
+      "  global modes: {} of {} converged; steady flow: drag coefficient {:.6g}, tension at the "
+      "leading edge {:.6g}\n      growth       omega   frequency  residual\n",
+      found.converged, found.requested, found.base_flow.drag_coefficient,
+      found.base_flow.tension.front());
+  for (const GlobalMode& mode : found.modes)
+    text += fmt::format(" {:11.6g} {:11.6g} {:11.6g}   {:.1e}\n", mode.lambda.real(),
+                        mode.lambda.imag(), frequency(mode), mode.residual);
+  return text;
+}
+
+}  // namespace pennon::modes::global
