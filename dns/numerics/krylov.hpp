@@ -2,11 +2,11 @@
 ///
 /// GMRES keeps a basis of up to `restart` + 2 vectors as long as the solver lives. The fluid has
 /// three solvers that never run at the same time; kept apart, their bases would take twice the
-/// memory. So solvers may share a KrylovSpace, in which they keep these vectors one after the other:
-/// PETSc creates a vector of a solver by duplicating another one, and here the duplicate takes its
-/// numbers from the space instead of the heap (krylov.cpp). PETSc has no setting for that. To free
-/// the vectors after each solution (KSPReset) would need no space of our own, but would allocate and
-/// clear them anew in each time step.
+/// memory. So solvers may share a KrylovSpace, in which they keep these vectors one after the
+/// other: PETSc creates a vector of a solver by duplicating another one, and here the duplicate
+/// takes its numbers from the space instead of the heap (krylov.cpp). PETSc has no setting for
+/// that. To free the vectors after each solution (KSPReset) would need no space of our own, but
+/// would allocate and clear them anew in each time step.
 #pragma once
 
 #include <cstddef>

@@ -87,7 +87,7 @@ analysis::Figure figure(const std::string& title, std::vector<double> values) {
   figure.y = {"{/:Italic m} = {/:Italic μ}/{/:Italic c_m}", true, {}, {}};
   figure.field =
       analysis::FigureField{axis(), axis(), std::move(values),
-                      "log_{10} of the worst relative error of the roots, in ulps", false};
+                            "log_{10} of the worst relative error of the roots, in ulps", false};
   return figure;
 }
 

@@ -80,11 +80,12 @@ TEST(Layers, HaveNoCycleAndEveryFolderWithSourcesIsOne) {
     layers.collect(library, found);
   }
   for (const char* top : {"common", "lsa", "modes", "dns", "analysis", "app"})
-    for (const auto& entry : fs::recursive_directory_iterator(source_folder() / top))
-      if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
-        EXPECT_TRUE(layers.libraries.contains(
-            fs::relative(entry.path().parent_path(), source_folder()).string()))
-            << entry.path();
+    for (const auto& entry : fs::recursive_directory_iterator(source_folder() / top)) {
+      if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
+      EXPECT_TRUE(layers.libraries.contains(
+          fs::relative(entry.path().parent_path(), source_folder()).string()))
+          << entry.path();
+    }
 }
 
 TEST(Layers, IncludeOnlyWhatIsBelowThem) {
