@@ -1,6 +1,6 @@
 pennon_test(test_flag LABEL unit
             SOURCES unit/dns/flag/forces.cpp unit/dns/flag/frequency.cpp unit/dns/run/initial_shape.cpp
-                    unit/dns/flag/tangent_matrix.cpp
+                    unit/dns/flag/tangent_matrix.cpp unit/dns/flag/material.cpp
             LINK pennon::dns_run)
 # In a program of its own: it takes the place of malloc.
 pennon_test(test_flag_allocations LABEL unit SOURCES unit/dns/flag/allocations.cpp LINK pennon::dns_run)
