@@ -6,8 +6,8 @@
 namespace pennon::dns {
 namespace {
 
-// Of GMRES, with the factors of an earlier tangent: beyond, new ones are cheaper.
-constexpr int most_turns = 8;
+// Of GMRES with the factors of an earlier tangent: with more, new factors are cheaper.
+constexpr int most_solver_iterations = 8;
 
 }  // namespace
 
@@ -56,9 +56,9 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
     if (equation.added_mass) equation.added_mass->subtract_force(inertia_, change_);
     change_ -= inertia_ * flag_.mass().asDiagonal();
     flag_.clear_held(change_);
-    int turns = 0;
+    int solver_iterations = 0;
     if (equation.added_mass)
-      turns = equation.added_mass->solve(*tangent_, equation.mass_factor, change_);
+      solver_iterations = equation.added_mass->solve(*tangent_, equation.mass_factor, change_);
     else
       tangent_->solve(change_);
     x += change_;
@@ -72,7 +72,9 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
       return true;
     }
     const bool is_slow = largest > settings_.contraction * last_change_;
-    must_factor = equation.added_mass ? settings_.contraction == 0 || turns > most_turns : is_slow;
+    must_factor = equation.added_mass
+                      ? settings_.contraction == 0 || solver_iterations > most_solver_iterations
+                      : is_slow;
     must_fill_ = is_slow;
     last_change_ = largest;
   }
