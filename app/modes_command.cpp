@@ -99,9 +99,8 @@ nlohmann::ordered_json global_modes(const Case& the_case, const OutputFolder& fo
 }  // namespace
 
 void run_modes(const Options& options) {
-  const auto prepare = [](Case& the_case) {
+  const auto expect = [](const Case& the_case) {
     if (the_case.global_modes.is_given) expect_one_rank();
-    the_case.modes.is_given = true;
   };
   const auto work = [](const Case& the_case, const OutputFolder& folder, Record& record) {
     const modes::Result result = [&] {
@@ -138,7 +137,7 @@ void run_modes(const Options& options) {
     }
     return Answer{json, text};
   };
-  run({false, prepare, work}, options);
+  run({{.modes = true}, expect, work}, options);
 }
 
 }  // namespace pennon::app

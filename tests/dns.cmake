@@ -4,6 +4,10 @@ pennon_test(test_flag LABEL unit
             LINK pennon::dns_run)
 # In a program of its own: it takes the place of malloc.
 pennon_test(test_flag_allocations LABEL unit SOURCES unit/dns/flag/allocations.cpp LINK pennon::dns_run)
+pennon_test(test_runs LABEL unit
+            SOURCES unit/dns/run/settings.cpp unit/dns/run/state_file.cpp
+                    unit/dns/run/step_control.cpp
+            LINK pennon::dns_run GTest::gmock)
 pennon_test(test_flag_validation LABEL verification
             SOURCES verification/dns/flag/plates.cpp verification/dns/flag/lines.cpp
                     verification/dns/flag/extremes.cpp verification/dns/flag/in_vacuo.cpp
