@@ -1,6 +1,7 @@
 pennon_test(test_app LABEL regression
-            SOURCES regression/app/analyze.cpp regression/app/commands.cpp regression/app/compare.cpp
-                    regression/app/coupled.cpp                     regression/app/fluid.cpp regression/app/global.cpp
+            SOURCES regression/app/analyze.cpp regression/app/checks.cpp regression/app/commands.cpp
+                    regression/app/compare.cpp regression/app/coupled.cpp regression/app/fluid.cpp
+                    regression/app/global.cpp regression/app/named_keys.cpp
             LINK pennon::analysis_figures Boost::headers GTest::gmock)
 target_compile_definitions(test_app PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
                            PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
