@@ -31,8 +31,9 @@ std::vector<std::string> literals_of(const std::string& source) {
     } else if (source[i] == '"') {
       std::string text;
       for (++i; i < source.size() && source[i] != '"'; ++i) {
-        if (source[i] == '\\') ++i;
-        text += source[i];
+        const bool is_escaped = source[i] == '\\';
+        if (is_escaped) ++i;
+        text += is_escaped && source[i] == 'n' ? ' ' : source[i];
       }
       if (follows)
         literals.back() += text;
