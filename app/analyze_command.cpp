@@ -36,7 +36,7 @@ void run_analyze(const AnalyzeOptions& options) {
   Record record(options.command_line);
   const std::filesystem::path run = options.run;
   analysis::require_run_folder(run);
-  const Case the_case(run / "case.resolved.toml", {}, false);
+  const Case the_case(run / "case.resolved.toml", {}, {});
   const analysis::RunAnalysis found = [&] {
     const auto timer = record.time("analyze");
     return analysis::analyze_run(run, settings_of(the_case, options), context_of(the_case));

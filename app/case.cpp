@@ -38,7 +38,7 @@ Case::Case() {
 }
 
 Case::Case(const std::filesystem::path& file, std::span<const std::string> overrides,
-           bool needs_flow)
+           const Asked& asked)
     : Case() {
   name = file.stem().string();
   Faults faults = read_case_file(file, overrides, schema);
@@ -48,15 +48,22 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
   resolve(modes.decompose.samples, "modes.decompose.samples", file, faults);
   resolve(dns.loads.traction, "dns.loads.traction", file, faults);
   resolve(dns.initial.global_modes, "dns.initial.global_modes", file, faults);
-  if (needs_flow && !has_flow)
+  if (asked.flow && !has_flow)
     faults.about("flow", "[flow] is missing: Re, the Reynolds number V L/nu, has no default");
   check(lsa, flag, flow, faults);
-  check(modes, flag, flow, faults);
-  check(global_modes, flag, has_flow, faults);
-  check(dns, flag, has_flow, faults);
+  check(modes, flag, flow, asked.modes, faults);
+  check(global_modes, flag, has_flow, asked.global_modes, faults);
+  check(dns, flag, has_flow, asked.dns, faults);
+  if (const auto mode = dns::normal_mode_of(dns, has_flow))
+    check_family(modes, mode->m, mode->table, flag, flow, faults);
   check(analysis, faults);
   check(compare, flag, faults);
   faults.raise();
+  lsa.is_given = lsa.is_given || asked.lsa;
+  modes.is_given = modes.is_given || asked.modes;
+  global_modes.is_given = global_modes.is_given || asked.global_modes;
+  dns.is_given = dns.is_given || asked.dns;
+  compare.is_given = compare.is_given || asked.compare;
 }
 
 }  // namespace pennon::app

@@ -18,6 +18,17 @@
 
 namespace pennon::app {
 
+/// What a command computes whatever tables the case has: these are checked, with the defaults of
+/// what is not given.
+struct Asked {
+  bool flow = false;  ///< [flow], which has no defaults
+  bool lsa = false;
+  bool modes = false;  ///< normal modes
+  bool global_modes = false;
+  bool dns = false;
+  bool compare = false;
+};
+
 struct Case {
   FlagParameters flag;
   FlowParameters flow;
@@ -34,8 +45,9 @@ struct Case {
 
   /// All defaults; only its schema is of use.
   Case();
-  /// Reads and checks a case file with its overrides. Throws InputError with every fault.
-  Case(const std::filesystem::path& file, std::span<const std::string> overrides, bool needs_flow);
+  /// Reads and checks a case file with its overrides. The echo of the schema has the tables that
+  /// are given and those of what is asked. Throws InputError with every fault.
+  Case(const std::filesystem::path& file, std::span<const std::string> overrides, const Asked&);
   Case(const Case&) = delete;
   Case& operator=(const Case&) = delete;
   ~Case() = default;

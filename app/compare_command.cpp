@@ -75,10 +75,7 @@ void run_compare(Options options, const std::string& run_folder) {
   const std::string name = std::filesystem::path(options.case_file).stem().string();
   const std::filesystem::path usual = std::filesystem::path("results") / name;
   if (options.output.empty()) options.output = (usual / "compare").string();
-  const auto prepare = [](Case& the_case) {
-    expect_one_rank();
-    the_case.compare.is_given = true;
-  };
+  const auto expect = [](const Case&) { expect_one_rank(); };
   const auto work = [&](const Case& the_case, const OutputFolder& folder, Record& record) {
     std::vector<ComparedModel> rows;
     std::vector<std::string> notes;
@@ -99,7 +96,8 @@ void run_compare(Options options, const std::string& run_folder) {
     for (const std::string& note : notes) text += "  " + note + "\n";
     return Answer{{{"compare", to_json(rows)}}, text};
   };
-  run({true, prepare, work}, options);
+  const Asked asked{.flow = true, .lsa = true, .global_modes = true, .compare = true};
+  run({asked, expect, work}, options);
 }
 
 }  // namespace pennon::app

@@ -7,7 +7,6 @@
 namespace pennon::app {
 
 void run_lsa(const Options& options) {
-  const auto prepare = [](Case& the_case) { the_case.lsa.is_given = true; };
   const auto work = [&](const Case& the_case, const OutputFolder& folder, Record& record) {
     const lsa::Result result = [&] {
       const auto timer = record.time("lsa");
@@ -23,7 +22,7 @@ void run_lsa(const Options& options) {
     return Answer{{{"lsa", to_json(result)}},
                   fmt::format("{}: local stability\n{}", the_case.name, text_of(result))};
   };
-  run({true, prepare, work}, options);
+  run({{.flow = true, .lsa = true}, {}, work}, options);
 }
 
 }  // namespace pennon::app

@@ -70,9 +70,8 @@ Answer global_modes(const Case& the_case, const OutputFolder& folder) {
 }  // namespace
 
 void run_modes(const Options& options) {
-  const auto prepare = [](Case& the_case) {
+  const auto expect = [](const Case& the_case) {
     if (the_case.global_modes.is_given) expect_one_rank();
-    the_case.modes.is_given = true;
   };
   const auto work = [](const Case& the_case, const OutputFolder& folder, Record& record) {
     Answer answer = normal_modes(the_case, folder, record);
@@ -84,7 +83,7 @@ void run_modes(const Options& options) {
     }
     return answer;
   };
-  run({false, prepare, work}, options);
+  run({{.modes = true}, expect, work}, options);
 }
 
 }  // namespace pennon::app

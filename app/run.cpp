@@ -36,8 +36,8 @@ Json merged_summary(const OutputFolder& folder, bool is_same_case, const Json& f
 
 void run(const Command& command, const Options& options) {
   Record record(options.command_line);
-  Case the_case(options.case_file, options.overrides, command.needs_flow);
-  command.prepare(the_case);
+  const Case the_case(options.case_file, options.overrides, command.asked);
+  if (command.expect) command.expect(the_case);
   const std::string resolved =
       fmt::format("# {} as pennon {} understood it: every key, defaults included.\n{}",
                   the_case.name, version(), resolved_text(the_case.schema));

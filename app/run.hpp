@@ -31,8 +31,8 @@ struct Answer {
 
 /// A command's work, and what it asks of the case.
 struct Command {
-  bool needs_flow;
-  std::function<void(Case&)> prepare;  ///< before the echo
+  Asked asked;
+  std::function<void(const Case&)> expect;  ///< throws InputError where it cannot run; or nothing
   std::function<Answer(const Case&, const OutputFolder&, Record&)> work;
 };
 

@@ -60,10 +60,10 @@ std::optional<RunOfCase> find_run(const Case& the_case, const std::string& asked
   const std::filesystem::path folder = asked.empty() ? usual : std::filesystem::path(asked);
   if (asked.empty() && !std::filesystem::exists(folder / "history.h5")) return std::nullopt;
   analysis::require_run_folder(folder);
-  RunOfCase run{
-      folder,
-      std::make_unique<Case>(folder / "case.resolved.toml", std::span<const std::string>{}, false),
-      wall_seconds(folder)};
+  RunOfCase run{folder,
+                std::make_unique<Case>(folder / "case.resolved.toml",
+                                       std::span<const std::string>{}, Asked{}),
+                wall_seconds(folder)};
   if (const std::string what = difference(*run.the_case, the_case); !what.empty())
     throw InputError("--run", fmt::format("the run in {} is of another flag or stream: {}",
                                           folder.string(), what));

@@ -11,6 +11,7 @@
 #include "bench/step_counters.hpp"
 #include "common/petsc/petsc.hpp"
 #include "dns/coupling/coupling.hpp"
+#include "dns/coupling/visit_state.hpp"
 #include "dns/run/initial_shape.hpp"
 
 namespace pennon::dns {
@@ -63,55 +64,66 @@ Field<double> extruded(const Field<double>& f, const Extent& extent) {
   return wide;
 }
 
+// A state in two dimensions, the same in every plane.
+class Extrusion {
+ public:
+  Extrusion(const Extent& extent, const FlagMesh& mesh) : extent_(extent), mesh_(mesh) {}
+
+  void operator()(const MemberInfo&, const FluidState& from, FluidState& to) const {
+    visit_both(from, to, *this);
+  }
+  void operator()(const MemberInfo&, const FlagState<2>& from, FlagState<3>& to) const {
+    visit_both(from, to, *this);
+  }
+  void operator()(const MemberInfo&, const std::vector<Field<double>>& from,
+                  std::vector<Field<double>>& to) const {
+    for (const Field<double>& u : from) to.push_back(extruded(u, extent_));
+    to.emplace_back(extent_);  // along the span
+  }
+  void operator()(const MemberInfo&, const Field<double>& from, Field<double>& to) const {
+    to = extruded(from, extent_);
+  }
+  void operator()(const MemberInfo&, const std::vector<Displacement<double>>& from,
+                  std::vector<Displacement<double>>& to) const {
+    for (const Displacement<double>& grid : from) {
+      Displacement<double>& moved = to.emplace_back(extent_);
+      moved.y = extruded(grid.y, extent_);
+      moved.z = extruded(grid.z, extent_);
+    }
+  }
+  void operator()(const MemberInfo&, const std::vector<bool>& from, std::vector<bool>& to) const {
+    for (int plane = 0; plane < extent_.planes; ++plane)
+      to.insert(to.end(), from.begin(), from.end());
+  }
+  void operator()(const MemberInfo& info, const NodeVectors<2>& from, NodeVectors<3>& to) const {
+    to = NodeVectors<3>::Zero(3, mesh_.nodes());
+    for (int node = 0; node < mesh_.nodes(); ++node) {
+      to.col(node).tail<2>() = from.col(node % mesh_.chord_nodes());
+      if (info.kind == MemberKind::position) to(0, node) = mesh_.x(node / mesh_.chord_nodes());
+    }
+  }
+  void operator()(const MemberInfo&, const SegmentValues& from, SegmentValues& to) const {
+    to = from.replicate(mesh_.stations(), 1);
+  }
+  void operator()(const MemberInfo&, const double& from, double& to) const { to = from; }
+
+ private:
+  const Extent& extent_;
+  const FlagMesh& mesh_;
+};
+
 // The flag in two dimensions at every station, and a wave of the velocity along the span.
 void extrude(const Run<2>& flat, Run<3>& wide) {
   const Extent& extent = wide.fluid.extent();
-  const FluidState& from = flat.state.fluid;
-  FluidState& to = wide.state.fluid;
-  to = FluidState{from.t, from.previous_dt, {}, {}, {}, {}, {}, {}, {}};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto copy = [&](const std::vector<Field<double>>& u) {
-      return c < 2 ? extruded(u[c], extent) : Field<double>(extent);
-    };
-    to.u.push_back(copy(from.u));
-    to.u_last.push_back(copy(from.u_last));
-    to.u_change.push_back(copy(from.u_change));
-  }
+  wide.state = {};
+  visit_both(flat.state, wide.state, Extrusion(extent, wide.flag.mesh()));
+  FluidState& fluid = wide.state.fluid;
   for (int plane = 0; plane < extent.planes; ++plane)
     for (int j = 0; j < extent.n_rho; ++j)
       for (int i = 0; i < extent.n_theta; ++i)
-        for (std::vector<Field<double>>* u : {&to.u, &to.u_last})
+        for (std::vector<Field<double>>* u : {&fluid.u, &fluid.u_last})
           (*u)[0].row(plane, j)[i] +=
               0.01 * std::cos(2 * std::numbers::pi * wide.fluid.span().x(plane) / span);
-  to.p = extruded(from.p, extent);
-  to.p_last = extruded(from.p_last, extent);
-  for (const Displacement<double>& grid : from.grid) {
-    Displacement<double>& moved = to.grid.emplace_back(extent);
-    moved.y = extruded(grid.y, extent);
-    moved.z = extruded(grid.z, extent);
-  }
-  for (int plane = 0; plane < extent.planes; ++plane)
-    to.is_inflow.insert(to.is_inflow.end(), from.is_inflow.begin(), from.is_inflow.end());
-  const FlagMesh& mesh = wide.flag.mesh();
-  const auto nodes = [&](const NodeVectors<2>& x, bool is_place) {
-    NodeVectors<3> all = NodeVectors<3>::Zero(3, mesh.nodes());
-    for (int node = 0; node < mesh.nodes(); ++node) {
-      all.col(node).tail<2>() = x.col(node % mesh.chord_nodes());
-      if (is_place) all(0, node) = mesh.x(node / mesh.chord_nodes());
-    }
-    return all;
-  };
-  FlagState<3>& flag = wide.state.flag;
-  flag = {from.t,
-          nodes(flat.state.flag.x, true),
-          nodes(flat.state.flag.v, false),
-          nodes(flat.state.flag.previous_x, true),
-          nodes(flat.state.flag.previous_v, false),
-          flat.state.flag.previous_dt,
-          0,
-          0};
-  wide.state.jump = flat.state.jump.replicate(mesh.stations(), 1);
-  wide.state.previous_jump = flat.state.previous_jump.replicate(mesh.stations(), 1);
 }
 
 template <int dim>

@@ -2,12 +2,14 @@
 pennon_test(test_app
   SOURCES
     regression/app/analyze.cpp
+    regression/app/checks.cpp
     regression/app/commands.cpp
     regression/app/compare.cpp
     regression/app/completion.cpp
     regression/app/coupled.cpp
     regression/app/fluid.cpp
     regression/app/global.cpp
+    regression/app/named_keys.cpp
   LINK pennon::analysis_figures Boost::headers GTest::gmock)
 pennon_test(test_app_validation
   SOURCES

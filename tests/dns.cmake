@@ -24,6 +24,7 @@ pennon_test(test_flag
   SOURCES
     unit/dns/flag/forces.cpp
     unit/dns/flag/frequency.cpp
+    unit/dns/flag/material.cpp
     unit/dns/flag/tangent_matrix.cpp
     unit/dns/run/initial_shape.cpp
   LINK pennon::dns_run)
@@ -81,3 +82,11 @@ pennon_test(test_coupling_verification
   SOURCES
     verification/dns/coupling/coupling.cpp
   LINK pennon::dns_run)
+
+# Runs through time.
+pennon_test(test_runs
+  SOURCES
+    unit/dns/run/settings.cpp
+    unit/dns/run/state_file.cpp
+    unit/dns/run/step_control.cpp
+  LINK pennon::dns_run GTest::gmock)

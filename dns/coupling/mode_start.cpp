@@ -1,6 +1,7 @@
 #include "dns/coupling/mode_start.hpp"
 
 #include "common/errors.hpp"
+#include "dns/coupling/visit_state.hpp"
 #include "dns/grid/elliptic_grid.hpp"
 
 namespace pennon::dns {
@@ -28,28 +29,42 @@ class ModeStart {
 
   CoupledState<dim> state() {
     CoupledState<dim> state = coupling_.start(flag_at(0), 0);
-    FluidState& fluid = state.fluid;
-    for (std::size_t c = 0; c < fluid.u.size(); ++c) {
-      place(0, mode_.steady_u[c], mode_.u[c], fluid.u[c]);
-      place(-dt_, mode_.steady_u[c], mode_.u[c], fluid.u_last[c]);
-    }
-    place(0, mode_.steady_p, mode_.p, fluid.p);
-    place(-dt_, mode_.steady_p, mode_.p, fluid.p_last);
-    for (std::size_t n = 0; n < fluid.grid.size(); ++n)
-      place_grid(-dt_ * static_cast<double>(n), fluid.grid[n]);
-    for (int plane = 0; plane < fluid_.extent().planes; ++plane)
-      for (int i = 0; i < fluid_.extent().n_theta; ++i)
-        fluid.is_inflow[fluid_.extent().wall_face(plane, i)] =
-            mode_.is_inflow[static_cast<std::size_t>(i)];
-    fluid.previous_dt = dt_;
-    state.flag.previous_x = flag_at(-dt_);
-    state.flag.v = velocity_at(0);
-    state.flag.previous_v = velocity_at(-dt_);
-    state.flag.previous_dt = dt_;
+    visit(state, *this);
+    state.fluid.previous_dt = state.flag.previous_dt = dt_;
     return state;
   }
 
+  // What a member of the state is in the mode, at its time. The numbers are those of a start.
+  void operator()(const MemberInfo&, FluidState& fluid) { visit(fluid, *this); }
+  void operator()(const MemberInfo&, FlagState<dim>& flag) { visit(flag, *this); }
+  void operator()(const MemberInfo& info, std::vector<Field<double>>& u) {
+    if (info.kind == MemberKind::guess) return;
+    for (std::size_t c = 0; c < u.size(); ++c)
+      place(time_of(info), mode_.steady_u[c], mode_.u[c], u[c]);
+  }
+  void operator()(const MemberInfo& info, Field<double>& p) {
+    place(time_of(info), mode_.steady_p, mode_.p, p);
+  }
+  void operator()(const MemberInfo&, std::vector<Displacement<double>>& grid) {
+    for (std::size_t n = 0; n < grid.size(); ++n)
+      place_grid(-dt_ * static_cast<double>(n), grid[n]);
+  }
+  void operator()(const MemberInfo&, std::vector<bool>& is_inflow) {
+    for (int plane = 0; plane < fluid_.extent().planes; ++plane)
+      for (int i = 0; i < fluid_.extent().n_theta; ++i)
+        is_inflow[fluid_.extent().wall_face(plane, i)] =
+            mode_.is_inflow[static_cast<std::size_t>(i)];
+  }
+  void operator()(const MemberInfo& info, NodeVectors<dim>& nodes) {
+    nodes = info.kind == MemberKind::velocity ? velocity_at(time_of(info)) : flag_at(time_of(info));
+  }
+  // The first steps find the jump.
+  void operator()(const MemberInfo&, SegmentValues&) {}
+  void operator()(const MemberInfo&, double&) {}
+
  private:
+  double time_of(const MemberInfo& info) const { return -dt_ * info.steps_before; }
+
   Complex factor(double t, double x) const {
     return amplitude_ * std::exp(mode_.lambda * t + Complex(0, mode_.k_x * x));
   }
@@ -72,8 +87,8 @@ class ModeStart {
           plane, wall.y.data() + first, wall.z.data() + first, grid, grid_tolerance, most_passes);
       if (!(found.least_area > 0))
         throw SolverError(
-            "no grid fits the flag displaced by dns.initial.amplitude times the global mode; a "
-            "smaller amplitude starts");
+            "no grid fits the flag displaced by dns.initial.mode_amplitude times the global mode; "
+            "a smaller dns.initial.mode_amplitude starts");
     }
   }
 

@@ -1,7 +1,9 @@
-/// How exactly the flag and the fluid agree.
+/// How exactly the flag and the fluid agree: the table [dns.coupling].
 #pragma once
 
 #include <cstdint>
+
+#include "common/case/schema.hpp"
 
 namespace pennon::dns {
 
@@ -11,5 +13,7 @@ struct CouplingSettings {
   double tolerance = 1e-5;
   std::int64_t most_passes = 50;
 };
+
+void declare(Schema&, CouplingSettings&);
 
 }  // namespace pennon::dns

@@ -97,19 +97,20 @@ class Assembly {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-void add_node(Assembly& assembly, const FlagMesh& mesh, int i, int j, double K_B, double nu_s) {
-  const double half = K_B / 2 * mesh.area(i, j);
+void add_node(Assembly& assembly, const FlagMesh& mesh, int i, int j, const BendingEnergy& of) {
+  const double half = of.stiffness / 2 * mesh.area(i, j);
   const auto along = chordwise_curvature(mesh, i, j);
   if (mesh.is_two_d()) {
     if (along) assembly.add(half, *along, *along);
     return;
   }
   const auto across = spanwise_curvature(mesh, i, j);
-  // Where one curvature is free, it is -nu_s times the other, which leaves 1 - nu_s^2 of that.
-  const double share = along && across ? 1 : 1 - nu_s * nu_s;
-  if (along) assembly.add(half * share, *along, *along);
-  if (across) assembly.add(half * share, *across, *across);
-  if (along && across) assembly.add(half * 2 * nu_s, *along, *across);
+  // Where one curvature is free, it takes the value that makes the energy least: of the other's
+  // stiffness that leaves less, in an isotropic plate 1 - nu_s^2.
+  const double bound = of.coupling * of.coupling;
+  if (along) assembly.add(half * (across ? 1 : 1 - bound / of.spanwise), *along, *along);
+  if (across) assembly.add(half * (along ? of.spanwise : of.spanwise - bound), *across, *across);
+  if (along && across) assembly.add(half * 2 * of.coupling, *along, *across);
 }
 
 Eigen::Vector3d value(const LinearVector& vector, const Eigen::Matrix3Xd& x) {
@@ -126,17 +127,17 @@ double BendingForm::energy(const Eigen::Matrix3Xd& x) const {
   return sum;
 }
 
-BendingForm bending_form(const FlagMesh& mesh, double K_B, double nu_s) {
+BendingForm bending_form(const FlagMesh& mesh, const BendingEnergy& of) {
   Assembly assembly(mesh.nodes());
-  if (K_B == 0) return assembly.finished();
+  if (of.stiffness == 0) return assembly.finished();
   for (int i = 0; i < mesh.stations(); ++i)
-    for (int j = 0; j < mesh.chord_nodes(); ++j) add_node(assembly, mesh, i, j, K_B, nu_s);
+    for (int j = 0; j < mesh.chord_nodes(); ++j) add_node(assembly, mesh, i, j, of);
   if (mesh.is_two_d()) return assembly.finished();
   const int cells_along_span = mesh.is_periodic() ? mesh.stations() : mesh.stations() - 1;
   for (int i = 0; i < cells_along_span; ++i)
     for (int j = 0; j + 1 < mesh.chord_nodes(); ++j) {
       const LinearVector x_12 = twist(mesh, i, j);
-      assembly.add(K_B / 2 * mesh.dx() * mesh.dy(j) * 2 * (1 - nu_s), x_12, x_12);
+      assembly.add(of.stiffness / 2 * mesh.dx() * mesh.dy(j) * 2 * of.twist, x_12, x_12);
     }
   return assembly.finished();
 }

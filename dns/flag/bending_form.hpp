@@ -18,6 +18,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "dns/flag/material.hpp"
 #include "dns/flag/mesh.hpp"
 
 namespace pennon::dns {
@@ -48,7 +49,7 @@ struct BendingForm {
   double energy(const Eigen::Matrix3Xd& x) const;
 };
 
-/// K_B >= 0 in rho_f V^2 L^3; in two dimensions nu_s does not enter.
-BendingForm bending_form(const FlagMesh&, double K_B, double nu_s);
+/// In two dimensions only the stiffness along the chord enters.
+BendingForm bending_form(const FlagMesh&, const BendingEnergy&);
 
 }  // namespace pennon::dns

@@ -46,8 +46,8 @@ template <int dim>
 Flag<dim>::Flag(FlagMesh mesh, const FlagMaterial& material)
     : mesh_(std::move(mesh)),
       material_(material),
-      stretch_(mesh_, material.K_S, material.nu_s, material.damping),
-      bending_(bending_form(mesh_, material.K_B, material.nu_s)),
+      stretch_(mesh_, material.stretch()),
+      bending_(bending_form(mesh_, material.bending())),
       bending_load_(bending_.load.bottomRows<dim>()),
       pressure_(mesh_),
       mass_(mesh_.nodes()),
@@ -68,7 +68,7 @@ FlagEnergies Flag<dim>::energies(const NodeVectors<dim>& x, const NodeVectors<di
                                  const FlagLoads<dim>& loads) const {
   FlagEnergies energies;
   energies.kinetic = 0.5 * v.colwise().squaredNorm().dot(mass_);
-  if (material_.K_B > 0) {
+  if (bends()) {
     Eigen::Matrix3Xd positions = Eigen::Matrix3Xd::Zero(3, x.cols());
     positions.bottomRows<dim>() = x;
     energies.bending = bending_.energy(positions);
@@ -93,7 +93,7 @@ void Flag<dim>::evaluate_forces(const FlagStep<dim>& step, const FlagLoads<dim>&
                                 NodeVectors<dim>& forces) const {
   evaluate_load_forces(step, loads, forces);
   stretch_.add_forces(step, forces);
-  if (material_.K_B > 0) {
+  if (bends()) {
     const double share = step.share_of_end();
     forces -= bending_load_;
     for (int q = 0; q < bending_.stiffness.outerSize(); ++q)
@@ -128,7 +128,7 @@ void Flag<dim>::add_tangent(const FlagStep<dim>& step, const FlagLoads<dim>& loa
   stretch_.add_tangent(step, tangent);
   if (loads.pressure.size() > 0) pressure_.add_tangent(step, loads.pressure, tangent);
   const double share = step.share_of_end();
-  if (material_.K_B > 0)
+  if (bends())
     for (int q = 0; q < bending_.stiffness.outerSize(); ++q)
       for (Eigen::SparseMatrix<double>::InnerIterator entry(bending_.stiffness, q); entry; ++entry)
         tangent.add(static_cast<int>(entry.row()), q, share * entry.value() * Block::Identity());

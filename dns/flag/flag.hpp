@@ -10,6 +10,7 @@
 
 #include "dns/flag/bending_form.hpp"
 #include "dns/flag/held_nodes.hpp"
+#include "dns/flag/material.hpp"
 #include "dns/flag/mesh.hpp"
 #include "dns/flag/pressure_load.hpp"
 #include "dns/flag/step.hpp"
@@ -17,14 +18,6 @@
 #include "dns/flag/tangent_matrix.hpp"
 
 namespace pennon::dns {
-
-struct FlagMaterial {
-  double mu = 1;       ///< mass ratio rho_s h/(rho_f L)
-  double K_B = 0;      ///< bending stiffness EI/(rho_f V^2 L^3)
-  double K_S = 500;    ///< extensional stiffness Eh/((1 - nu_s^2) rho_f V^2 L)
-  double nu_s = 0.3;   ///< Poisson ratio
-  double damping = 0;  ///< retardation time of the stretch, in L/V
-};
 
 /// What acts on the flag from outside.
 template <int dim>
@@ -81,6 +74,8 @@ class Flag {
                    TangentMatrix<dim>&) const;
 
  private:
+  bool bends() const { return material_.bending().stiffness > 0; }
+
   FlagMesh mesh_;
   FlagMaterial material_;
   Stretch<dim> stretch_;

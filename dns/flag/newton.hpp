@@ -9,6 +9,7 @@
 
 #include "dns/flag/added_inertia.hpp"
 #include "dns/flag/flag.hpp"
+#include "dns/flag/state.hpp"
 #include "dns/numerics/backward_difference.hpp"
 
 namespace pennon::dns {
@@ -31,18 +32,6 @@ struct StepSummary {
   int iterations = 0;  ///< of Newton's method, all parts of the step together
   int factorisations = 0;
   int parts = 1;  ///< the step was halved until this many did it
-};
-
-/// All that is advanced, saved and restarted.
-template <int dim>
-struct FlagState {
-  double t = 0;
-  NodeVectors<dim> x, v;
-  /// The step before, for backward differences; previous_dt = 0: none yet.
-  NodeVectors<dim> previous_x, previous_v;
-  double previous_dt = 0;
-  double dissipated = 0;  ///< by the damping since the start
-  double work = 0;        ///< of the loads (gravity is an energy of its own) since the start
 };
 
 template <int dim>

@@ -67,7 +67,7 @@ class Descent {
 
   bool converge(NodeVectors<dim>& x, const EquilibriumSettings& settings, int& iterations) {
     // Of the mode that is the first to lose its stability, by its order of magnitude.
-    const double soft_mass = flag_.material().K_B / flag_.material().mu;
+    const double soft_mass = flag_.material().bending().stiffness / flag_.material().mu;
     double added_mass = 0;
     bool was_indefinite = false;  // here, with less mass
     double last_near = std::numeric_limits<double>::infinity();

@@ -22,8 +22,8 @@ struct Stretch<dim>::Shear {
 };
 
 template <int dim>
-Stretch<dim>::Stretch(const FlagMesh& mesh, double K_S, double nu_s, double damping)
-    : K_S_(K_S), nu_s_(nu_s), damping_(damping), span_(mesh.span()) {
+Stretch<dim>::Stretch(const FlagMesh& mesh, const StretchEnergy& energy)
+    : of_(energy), span_(mesh.span()) {
   const int stations = mesh.stations();
   const int chord_nodes = mesh.chord_nodes();
   for (int i = 0; i < stations; ++i)
@@ -53,6 +53,11 @@ Stretch<dim>::Stretch(const FlagMesh& mesh, double K_S, double nu_s, double damp
 }
 
 template <int dim>
+double Stretch<dim>::stiffness(const Segment& s) const {
+  return s.is_chordwise ? of_.stiffness : of_.stiffness * of_.spanwise;
+}
+
+template <int dim>
 auto Stretch<dim>::difference(const NodeVectors<dim>& x, const Segment& s) const -> Vector {
   Vector d = x.col(s.to) - x.col(s.from);
   if (s.crosses_seam) d[0] += span_;
@@ -77,7 +82,7 @@ auto Stretch<dim>::state(const FlagStep<dim>& step, const Segment& s) const -> S
   }
   State state{d / length, d_end / length_end, (length - s.h) / s.h, length / s.h,
               0,          Vector::Zero()};
-  if (damping_ > 0) add_rate(step, s, state);
+  if (of_.damping > 0) add_rate(step, s, state);
   return state;
 }
 
@@ -123,13 +128,14 @@ void Stretch<dim>::evaluate(const FlagStep<dim>& step) const {
   for (std::size_t n = 0; n < segments_.size(); ++n) {
     const Segment& s = segments_[n];
     states_[n] = state(step, s);
-    tensions_[n] = K_S_ * s.area * (states_[n].strain + damping_ * states_[n].strain_rate);
+    tensions_[n] =
+        stiffness(s) * s.area * (states_[n].strain + of_.damping * states_[n].strain_rate);
   }
   for (const Cell& cell : cells_) {
     const auto strain = [&](std::size_t k) {
       return states_[static_cast<std::size_t>(cell.segments[k])].strain;
     };
-    const double coupling = K_S_ * nu_s_ * cell.area / 2;
+    const double coupling = of_.stiffness * of_.coupling * cell.area / 2;
     const double chordwise = (strain(0) + strain(1)) / 2;
     const double spanwise = (strain(2) + strain(3)) / 2;
     for (const std::size_t k : {0, 1})
@@ -144,7 +150,7 @@ auto Stretch<dim>::energy(const NodeVectors<dim>& x) const -> Energy {
   Energy energy;
   for (const Segment& s : segments_) {
     const double e = strain(x, s);
-    (s.is_chordwise ? energy.two_d : energy.three_d) += K_S_ / 2 * s.area * e * e;
+    (s.is_chordwise ? energy.two_d : energy.three_d) += stiffness(s) / 2 * s.area * e * e;
   }
   const FlagStep<dim> here{x, x};
   for (const Cell& cell : cells_) {
@@ -153,8 +159,8 @@ auto Stretch<dim>::energy(const NodeVectors<dim>& x) const -> Energy {
     };
     const double gamma = shear(here, cell).value;
     energy.three_d +=
-        K_S_ * cell.area *
-        (nu_s_ * (e(0) + e(1)) / 2 * (e(2) + e(3)) / 2 + (1 - nu_s_) / 4 * gamma * gamma);
+        of_.stiffness * cell.area *
+        (of_.coupling * (e(0) + e(1)) / 2 * (e(2) + e(3)) / 2 + of_.shear / 2 * gamma * gamma);
   }
   return energy;
 }
@@ -169,7 +175,7 @@ void Stretch<dim>::add_forces(const FlagStep<dim>& step, NodeVectors<dim>& force
   }
   for (const Cell& cell : cells_) {
     const Shear s = shear(step, cell);
-    const double stress = K_S_ * (1 - nu_s_) / 2 * cell.area * s.value;
+    const double stress = of_.stiffness * of_.shear * cell.area * s.value;
     const double h_1 = 2 * segments_[static_cast<std::size_t>(cell.segments[0])].h;
     const double h_2 = 2 * segments_[static_cast<std::size_t>(cell.segments[2])].h;
     for (std::size_t n = 0; n < 4; ++n)
@@ -186,11 +192,11 @@ void Stretch<dim>::add_tangent(const FlagStep<dim>& step, TangentMatrix<dim>& ta
     const Segment& s = segments_[n];
     const State& state = states_[n];
     const Block outer = state.direction * state.at_end.transpose();
-    const double stiffness = K_S_ * s.area / (s.h * s.h);
+    const double spring = stiffness(s) * s.area / (s.h * s.h);
     const double geometric = tensions_[n] / (s.h * s.h * state.relative_length);
-    Block block = share * (stiffness * outer + geometric * (Block::Identity() - outer));
-    if (damping_ > 0)
-      block += stiffness * damping_ * state.direction * state.rate_by_end.transpose();
+    Block block = share * (spring * outer + geometric * (Block::Identity() - outer));
+    if (of_.damping > 0)
+      block += spring * of_.damping * state.direction * state.rate_by_end.transpose();
     tangent.add(s.from, s.from, block);
     tangent.add(s.to, s.to, block);
     tangent.add(s.from, s.to, -block);
@@ -214,8 +220,8 @@ void Stretch<dim>::add_tangent(const FlagStep<dim>& step, TangentMatrix<dim>& ta
     const Shear s = shear(step, cell);
     const double h_1 = 2 * segments_[static_cast<std::size_t>(cell.segments[0])].h;
     const double h_2 = 2 * segments_[static_cast<std::size_t>(cell.segments[2])].h;
-    const double poisson = share * K_S_ * nu_s_ * cell.area;
-    const double rigidity = share * K_S_ * (1 - nu_s_) / 2 * cell.area;
+    const double poisson = share * of_.stiffness * of_.coupling * cell.area;
+    const double rigidity = share * of_.stiffness * of_.shear * cell.area;
     for (std::size_t p = 0; p < 4; ++p) {
       const double a_p = chordwise_signs[p] / h_1;
       const double b_p = spanwise_signs[p] / h_2;
@@ -237,11 +243,11 @@ void Stretch<dim>::add_tangent(const FlagStep<dim>& step, TangentMatrix<dim>& ta
 template <int dim>
 double Stretch<dim>::dissipated(const NodeVectors<dim>& start, const NodeVectors<dim>& end,
                                 double dt) const {
-  if (damping_ == 0) return 0;
+  if (of_.damping == 0) return 0;
   double sum = 0;
   for (const Segment& s : segments_) {
     const double change = strain(end, s) - strain(start, s);
-    sum += K_S_ * damping_ * s.area * change * change / dt;
+    sum += stiffness(s) * of_.damping * s.area * change * change / dt;
   }
   return sum;
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <vector>
 
+#include "dns/flag/material.hpp"
 #include "dns/flag/mesh.hpp"
 #include "dns/flag/step.hpp"
 #include "dns/flag/tangent_matrix.hpp"
@@ -23,8 +24,7 @@ namespace pennon::dns {
 template <int dim>
 class Stretch {
  public:
-  /// K_S > 0 in rho_f V^2 L; nu_s; damping: the retardation time in L/V, 0 for none.
-  Stretch(const FlagMesh&, double K_S, double nu_s, double damping);
+  Stretch(const FlagMesh&, const StretchEnergy&);
 
   struct Energy {
     double two_d = 0;    ///< of e_1^2
@@ -81,7 +81,10 @@ class Stretch {
   Shear shear(const FlagStep<dim>&, const Cell&) const;
   void evaluate(const FlagStep<dim>&) const;
 
-  double K_S_, nu_s_, damping_, span_;
+  double stiffness(const Segment&) const;
+
+  StretchEnergy of_;
+  double span_;
   std::vector<Segment> segments_;
   std::vector<Cell> cells_;
   mutable std::vector<State> states_;     // work space of one evaluation

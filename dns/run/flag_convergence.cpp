@@ -4,12 +4,8 @@
 #include <gsl/gsl_fit.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "common/errors.hpp"
-#include "common/io/atomic_file.hpp"
-#include "common/io/csv.hpp"
-#include "common/io/hdf5.hpp"
 #include "common/progress.hpp"
 #include "dns/flag/frequency.hpp"
 #include "dns/run/flag_run.hpp"
@@ -38,52 +34,26 @@ double fitted_order(const Convergence& c) {
   return slope;
 }
 
-void write(const Convergence& c, const OutputFolder& folder) {
-  const std::string value = value_name(c.refinement);
-  const bool is_step = c.refinement == Refinement::step;
-  std::vector<double> h, error;
-  CsvText table(is_step ? "angular frequency of the probe by the time step, in V/L"
-                        : "deflection of the probe by the nodes along each side, in L",
-                {size_name(c.refinement), "spacing", value, "error"});
-  for (std::size_t k = 0; k < c.values.size(); ++k) {
-    h.push_back(c.spacing(k));
-    error.push_back(std::abs(c.values[k] - c.limit));
-    table.row({c.sizes[k], h.back(), c.values[k], error.back()});
-  }
-  write_file(folder / "convergence.csv", table.text());
-  hdf5::Writer file(folder / "convergence.h5");
-  file.attributes(
-      {{"kind", "flag_convergence"}, {"of", value}, {"limit", c.limit}, {"order", c.order}});
-  const std::string unit = is_step ? ", in V/L" : ", in L";
-  file.write("/h", {h.size()}, h, {{"meaning", is_step ? "time step, in L/V" : "1/(n - 1)"}});
-  file.write("/" + value, {h.size()}, c.values,
-             {{"meaning", (is_step ? "angular frequency of the probe" : "z of the probe") + unit}});
-  file.write("/error", {h.size()}, error, {{"meaning", "|" + value + " - limit|" + unit}});
-  file.finish();
-}
-
 double deflection_with(std::int64_t n, Settings settings, const FlagParameters& flag,
                        const OutputFolder& folder) {
   settings.n_x = settings.flag.n_y = n;
   const OutputFolder own(folder / fmt::format("n-{}", n));
-  return run(settings, flag, std::nullopt, std::nullopt, own, false).last[z_column];
+  return run_flag(settings, flag, std::nullopt, std::nullopt, own, false).rows.back()[z_column];
 }
 
 double frequency_with(double dt, Settings settings, const FlagParameters& flag,
                       const OutputFolder& folder) {
   settings.dt = dt;
   const OutputFolder own(folder / fmt::format("dt-{}", dt));
-  run(settings, flag, std::nullopt, std::nullopt, own, false);
-  const hdf5::Array history = hdf5::Reader(own / "history.h5").read("/history");
+  const FlagRunResult found = run_flag(settings, flag, std::nullopt, std::nullopt, own, false);
   std::vector<double> z;
-  for (std::size_t row = 0; row < history.shape[0]; ++row)
-    z.push_back(history.values[row * history.shape[1] + z_column]);
+  for (const HistoryRow& row : found.rows) z.push_back(row[z_column]);
   const auto frequency = angular_frequency(z, dt);
   if (!frequency)
     throw SolverError(fmt::format(
         "no frequency can be read from the probe's z with dns.convergence.dt = {}: it does not "
-        "pass "
-        "zero twice until dns.t_end = {}; take a longer t_end, a probe off the nodal lines, or a "
+        "pass zero twice until dns.t_end = {}; take a longer t_end, a probe off the nodal lines, "
+        "or a "
         "start that moves it",
         dt, settings.t_end));
   return *frequency;
@@ -93,14 +63,6 @@ double frequency_with(double dt, Settings settings, const FlagParameters& flag,
 
 double Convergence::spacing(std::size_t k) const {
   return refinement == Refinement::step ? sizes[k] : 1 / (sizes[k] - 1);
-}
-
-const char* value_name(Refinement refinement) {
-  return refinement == Refinement::step ? "frequency" : "deflection";
-}
-
-const char* size_name(Refinement refinement) {
-  return refinement == Refinement::step ? "dt" : "n";
 }
 
 Convergence run_convergence(const Settings& settings, const FlagParameters& flag,
@@ -120,21 +82,7 @@ Convergence run_convergence(const Settings& settings, const FlagParameters& flag
   found.is_limit_given = reference.has_value();
   found.limit = reference ? *reference : extrapolated(found);
   found.order = fitted_order(found);
-  write(found, folder);
   return found;
-}
-
-nlohmann::ordered_json to_json(const Convergence& convergence) {
-  nlohmann::ordered_json json;
-  if (convergence.refinement == Refinement::step)
-    json["dt"] = convergence.sizes;
-  else
-    json["n"] = std::vector<std::int64_t>(convergence.sizes.begin(), convergence.sizes.end());
-  json[value_name(convergence.refinement)] = convergence.values;
-  json["limit"] = convergence.limit;
-  json["limit_is_given"] = convergence.is_limit_given;
-  json["order"] = convergence.order;
-  return json;
 }
 
 }  // namespace pennon::dns

@@ -2,7 +2,6 @@
 /// 21 and 23 of Banerjee, Connell & Yue 2015) or its frequency (figure 22) converges.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "common/case/parameters.hpp"
@@ -25,17 +24,9 @@ struct Convergence {
   double spacing(std::size_t k) const;
 };
 
-/// Runs the flag for each n or dt of [dns.convergence] in a folder of its own, n-<n> or dt-<dt>,
-/// and writes convergence.csv and convergence.h5 (kind = "flag_convergence"). Throws as run() of
-/// flag_run.hpp, and SolverError where the probe does not vibrate.
+/// Runs the flag for each n or dt of [dns.convergence] in a folder of its own below the given one,
+/// n-<n> or dt-<dt>. Throws as run_flag(), and SolverError where the probe does not vibrate.
 Convergence run_convergence(const Settings&, const FlagParameters&, const OutputFolder&,
                             bool shows_progress);
-
-/// "deflection" or "frequency", and "n" or "dt": the names in files.
-const char* value_name(Refinement);
-const char* size_name(Refinement);
-
-/// The value of "convergence" beside "dns" in summary.json.
-nlohmann::ordered_json to_json(const Convergence&);
 
 }  // namespace pennon::dns

@@ -6,8 +6,10 @@
 #include "common/errors.hpp"
 #include "common/parallel/ranks.hpp"
 #include "dns/coupling/mode_start.hpp"
+#include "dns/flag/of_case.hpp"
 #include "dns/run/flow_mode_file.hpp"
 #include "dns/run/initial_shape.hpp"
+#include "dns/run/state_file.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -39,7 +41,8 @@ class CoupledBody : public FlowBody {
       : fluid_(fluid),
         parameters_(parameters),
         initial_(settings.initial),
-        flag_(mesh_of(settings, parameters, coupled_chord(fluid.grid())), material_of(parameters)),
+        flag_(mesh_of(settings.flag, settings.n_x, parameters, coupled_chord(fluid.grid())),
+              material_of(parameters)),
         gravity_(Eigen::Map<const Eigen::Vector3d>(parameters.gravity.data()).template tail<dim>()),
         shape_(stretched_by_friction<dim>(flag_.mesh(),
                                           initial_shape<dim>(initial_, zeta, flag_.mesh()),
@@ -90,53 +93,15 @@ class CoupledBody : public FlowBody {
     dns::add_shape(flag_, state_.flag.t, state_.flag.x, state_.flag.v, history.shapes);
   }
 
-  void write(hdf5::Writer& file) const override {
-    file.write("/flag", {1, 5},
-               std::vector<double>{state_.flag.previous_dt, state_.flag.dissipated,
-                                   state_.flag.work, state_.power, energy_at_start_},
-               {{"meaning", "previous_dt, dissipated, work, power, energy at the start"}});
-    for_each_array(
-        [&](const char* name, const auto& values) {
-          if (values.size() > 0)
-            file.write(name,
-                       {static_cast<hsize_t>(values.cols()), static_cast<hsize_t>(values.rows())},
-                       {values.data(), static_cast<std::size_t>(values.size())});
-        },
-        *this);
-  }
+  void write(hdf5::Writer& file) const override { write_flag_of(state_, energy_at_start_, file); }
 
-  void read(const hdf5::Reader& file) override {
-    const std::vector<double> numbers = file.read("/flag").values;
-    state_.flag.t = state_.fluid.t;
-    state_.flag.previous_dt = numbers[0];
-    state_.flag.dissipated = numbers[1];
-    state_.flag.work = numbers[2];
-    state_.power = numbers[3];
-    energy_at_start_ = numbers[4];
-    for_each_array(
-        [&](const char* name, auto& values) {
-          if (!file.contains(name)) return;
-          const hdf5::Array array = file.read(name);
-          values.resize(static_cast<Eigen::Index>(array.shape[1]),
-                        static_cast<Eigen::Index>(array.shape[0]));
-          std::copy(array.values.begin(), array.values.end(), values.data());
-        },
-        *this);
+  void read(const hdf5::Reader& file, const std::filesystem::path& path) override {
+    energy_at_start_ = read_flag_of(file, flag_.mesh().nodes(), path, state_);
   }
 
   void forget() override { coupling_.forget_tangent(); }
 
  private:
-  template <class Function, class Self>
-  static void for_each_array(const Function& function, Self& self) {
-    function("/flag_x", self.state_.flag.x);
-    function("/flag_v", self.state_.flag.v);
-    function("/flag_previous_x", self.state_.flag.previous_x);
-    function("/flag_previous_v", self.state_.flag.previous_v);
-    function("/flag_jump", self.state_.jump);
-    function("/flag_previous_jump", self.state_.previous_jump);
-  }
-
   FlagEnergies energies() const {
     FlagLoads<dim> loads;
     loads.gravity = gravity_;

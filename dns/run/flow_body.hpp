@@ -1,7 +1,8 @@
-/// What the flow runs about: a flag that moves as prescribed, or one that the flow moves. FluidRun
+/// What the flow runs about: a flag that moves as prescribed, or one that the flow moves. Flow
 /// advances it, keeps its history and saves it.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include "common/io/hdf5.hpp"
@@ -29,7 +30,7 @@ class FlowBody {
   virtual void add_shape(FluidHistory&) const {}
   /// What a checkpoint holds beside the fluid's state.
   virtual void write(hdf5::Writer&) const {}
-  virtual void read(const hdf5::Reader&) {}
+  virtual void read(const hdf5::Reader&, const std::filesystem::path&) {}
   /// Has the next step depend on the state alone: after a checkpoint.
   virtual void forget() {}
 };

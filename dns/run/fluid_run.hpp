@@ -2,36 +2,32 @@
 /// that the flow moves; through time, with history, fields and checkpoints.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <string>
 
 #include "common/case/parameters.hpp"
 #include "common/io/output_folder.hpp"
+#include "dns/flag/shape_function.hpp"
 #include "dns/run/fluid_history.hpp"
-#include "dns/run/prescribed_motion.hpp"
 #include "dns/run/settings.hpp"
+#include "dns/run/time_loop.hpp"
 
 namespace pennon::dns {
 
 struct FluidRunResult {
-  std::string status;  ///< "done"
-  double t_end = 0;
-  std::int64_t steps = 0;
+  LoopSummary loop;
   std::int64_t cells = 0;
   double pressure_iterations_mean = 0;
   int pressure_iterations_max = 0;
   double least_area = 1;  ///< over the whole run, as the next
   double largest_wall_area = 1;
   double wall_seconds = 0;
-  double step_seconds = 0;  ///< of the steps alone
   FluidRow last{};
   bool is_coupled = false;  ///< whether the flow moves the flag
   double passes_mean = 0;   ///< of the coupling
   int passes_max = 0;
   std::optional<CoupledRow> last_of_flag;  ///< where the flow moves it
-  std::string checkpoint;
 };
 
 /// Computes and writes history.h5, history.csv, shapes.h5, fields_*.h5 with fields.xdmf, and
@@ -44,11 +40,5 @@ FluidRunResult run_fluid(const Settings&, const FlagParameters&, const FlowParam
                          const std::optional<ShapeFunction>& shape,
                          const std::optional<std::filesystem::path>& restart, const OutputFolder&,
                          bool shows_progress);
-
-/// The grid, span, parameters and tolerances of a case.
-Fluid fluid_of(const Settings&, const FlagParameters&, const FlowParameters&);
-
-/// The value of "dns" in summary.json.
-nlohmann::ordered_json to_json(const FluidRunResult&);
 
 }  // namespace pennon::dns

@@ -17,24 +17,6 @@ const std::vector<std::string>& family_names() {
   return names;
 }
 
-void check_family(const Settings& settings, const FlagParameters& flag, const FlowParameters& flow,
-                  Faults& faults) {
-  if (settings.family != Family::in_vacuo) return;
-  if (!(flow.Re > 0) && !(flag.K_B > 0))
-    faults.about("modes.normal.family",
-                 "modes.normal.family = \"in_vacuo\" needs a tension (flow.Re, but the case has no "
-                 "[flow]) or a bending stiffness (flag.K_B, but it is 0)");
-  if (settings.m > most_modes_in_vacuo)
-    faults.about("modes.normal.m",
-                 fmt::format("modes.normal.m = {}, but the family in_vacuo has m = 1 to {}",
-                             settings.m, most_modes_in_vacuo));
-  else if (settings.m > settings.elements / 2)
-    faults.about("modes.normal.m",
-                 fmt::format("modes.normal.m = {} is too many for modes.normal.elements = {}: two "
-                             "elements a mode are the least; take {} or more",
-                             settings.m, settings.elements, 2 * settings.m));
-}
-
 void check_waves(const Settings& settings, const FlagParameters& flag, Faults& faults) {
   for (const std::int64_t n : settings.n) {
     if (n > 0 && !flag.gamma)
@@ -95,6 +77,23 @@ void check_decompose(const Settings& settings, const FlagParameters& flag, Fault
 
 }  // namespace
 
+void check_family(const Settings& settings, std::int64_t m, const std::string& table,
+                  const FlagParameters& flag, const FlowParameters& flow, Faults& faults) {
+  if (settings.family != Family::in_vacuo) return;
+  if (!(flow.Re > 0) && !(flag.K_B > 0))
+    faults.about("modes.normal.family",
+                 "modes.normal.family = \"in_vacuo\" needs a tension (flow.Re, but the case has no "
+                 "[flow]) or a bending stiffness (flag.K_B, but it is 0)");
+  if (m > most_modes_in_vacuo)
+    faults.about(table + ".m", fmt::format("{}.m = {}, but the family in_vacuo has m = 1 to {}",
+                                           table, m, most_modes_in_vacuo));
+  else if (m > settings.elements / 2)
+    faults.about(table + ".m",
+                 fmt::format("{}.m = {} is too many for modes.normal.elements = {}: two elements a "
+                             "mode are the least; take {} or more",
+                             table, m, settings.elements, 2 * m));
+}
+
 const std::string& name_of(Family family) {
   return family_names()[static_cast<std::size_t>(family)];
 }
@@ -126,9 +125,9 @@ void declare(Schema& schema, Settings& settings) {
 }
 
 void check(const Settings& settings, const FlagParameters& flag, const FlowParameters& flow,
-           Faults& faults) {
-  if (settings.is_given) {
-    check_family(settings, flag, flow, faults);
+           bool is_asked_for, Faults& faults) {
+  if (settings.is_given || is_asked_for) {
+    check_family(settings, settings.m, "modes.normal", flag, flow, faults);
     check_waves(settings, flag, faults);
   }
   if (settings.decompose.is_given) check_decompose(settings, flag, faults);

@@ -36,8 +36,14 @@ const std::string& name_of(Family);
 void declare(Schema&, Settings&);
 
 /// The faults between keys: modes that the family, the flag or the resolution does not have, a
-/// decomposition of nothing or of two things.
-void check(const Settings&, const FlagParameters&, const FlowParameters&, Faults&);
+/// decomposition of nothing or of two things. `is_asked_for`: whether the modes are to be found
+/// even if the case has no [modes.normal].
+void check(const Settings&, const FlagParameters&, const FlowParameters&, bool is_asked_for,
+           Faults&);
+/// The faults of asking the family for modes along the chord of rank 1 to m, as the key m of
+/// another table does.
+void check_family(const Settings&, std::int64_t m, const std::string& table, const FlagParameters&,
+                  const FlowParameters&, Faults&);
 
 /// The n of the case in increasing order, each once. Where the case names none they are 0, 1 and 2,
 /// in two dimensions 0 alone.

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "dns/coupling/visit_state.hpp"
+
 namespace pennon::dns {
 namespace {
 
@@ -14,61 +16,104 @@ namespace {
 // what lives on the flag stays where it is.
 enum class Lattice { cells, corners, flag };
 
-// Numbers of all planes: planes x rows x columns, in this order, columns fastest.
+// Numbers of all planes: planes x rows x columns, in this order, columns fastest; in the state a
+// row's numbers stand `stride` apart.
 struct Block {
   Lattice lattice;
   double sign;  // of a sinuous perturbation under the reflection, on the same point
   Eigen::Index planes, rows, columns;
+  Eigen::Index stride = 1;
   Eigen::Index size() const { return planes * rows * columns; }
 };
 
-template <class F>
-struct FieldPart {
-  Block block;
-  F* field;
+constexpr double odd = -1, even = 1;
+
+// Goes through what the next step of a state depends on, up to the solvers' tolerance:
+// use(block, row_at, close) with row_at(plane, row) the first of a row's numbers, and close() to be
+// called when they have changed.
+template <int dim, class Use>
+class Parts {
+ public:
+  Parts(Eigen::Index stations, const Use& use) : stations_(stations), use_(use) {}
+
+  template <class State>
+  requires(IsCoupledState<State> || IsFlagState<State> ||
+           std::is_same_v<std::remove_const_t<State>, FluidState>) void
+  operator()(const MemberInfo&, State& inner) const {
+    visit(inner, *this);
+  }
+  template <class F>
+  requires std::is_same_v<std::remove_const_t<F>, std::vector<Field<double>>>
+  void operator()(const MemberInfo& info, F& velocity) const {
+    constexpr std::size_t along_z = 1;
+    if (info.kind == MemberKind::guess) return;
+    for (std::size_t c = 0; c < velocity.size(); ++c)
+      part(Lattice::cells, c == along_z ? even : odd, velocity[c]);
+  }
+  template <class F>
+  requires std::is_same_v<std::remove_const_t<F>, Field<double>>
+  void operator()(const MemberInfo&, F& pressure) const { part(Lattice::cells, odd, pressure); }
+  template <class F>
+  requires std::is_same_v<std::remove_const_t<F>, std::vector<Displacement<double>>>
+  void operator()(const MemberInfo&, F& grids) const {
+    for (std::size_t k = 0; k + 1 < grids.size(); ++k) {
+      part(Lattice::corners, odd, grids[k].y);
+      part(Lattice::corners, even, grids[k].z);
+    }
+  }
+  // Of the nodes their motion along z.
+  void operator()(const MemberInfo&, NodeVectors<dim>& nodes) const { along_z(nodes); }
+  void operator()(const MemberInfo&, const NodeVectors<dim>& nodes) const { along_z(nodes); }
+  void operator()(const MemberInfo&, SegmentValues& jump) const {
+    of_stations(jump.data(), jump.size(), 1);
+  }
+  void operator()(const MemberInfo&, const SegmentValues& jump) const {
+    of_stations(jump.data(), jump.size(), 1);
+  }
+  void operator()(const MemberInfo&, const double&) const {}
+  void operator()(const MemberInfo&, const std::vector<bool>&) const {}
+
+ private:
+  template <class F>
+  void part(Lattice lattice, double sign, F& f) const {
+    const Extent& extent = f.extent();
+    const int rows = extent.n_rho + (lattice == Lattice::corners ? 1 : 0);
+    const Block block{lattice, sign, extent.planes, rows, extent.n_theta};
+    use_(
+        block, [&](int plane, int row) { return f.row(plane, row); },
+        [&] {
+          if constexpr (!std::is_const_v<F>)
+            for (int plane = 0; plane < extent.planes; ++plane) f.wrap_theta(plane, 0, rows);
+        });
+  }
+  template <class Nodes>
+  void along_z(Nodes& nodes) const {
+    of_stations(nodes.data() + (dim - 1), nodes.cols(), dim);
+  }
+  template <class Number>
+  void of_stations(Number* first, Eigen::Index count, Eigen::Index stride) const {
+    const Block block{Lattice::flag, even, stations_, 1, count / stations_, stride};
+    use_(
+        block, [&](int station, int) { return first + station * block.columns * stride; }, [] {});
+  }
+
+  Eigen::Index stations_;
+  const Use& use_;
 };
 
-// The fields that the next step depends on.
-template <class State>
-auto fields_of(State& state) {
-  using F = std::remove_reference_t<decltype((state.p))>;
-  constexpr double odd = -1, even = 1;
-  constexpr std::size_t along_z = 1;  // of the velocity's components
-  const Extent& extent = state.p.extent();
-  const Block cells{Lattice::cells, odd, extent.planes, extent.n_rho, extent.n_theta};
-  const Block corners{Lattice::corners, odd, extent.planes, extent.n_rho + 1, extent.n_theta};
-  const auto of_sign = [](Block block, double sign) {
-    block.sign = sign;
-    return block;
-  };
-  std::vector<FieldPart<F>> parts;
-  for (auto* u : {&state.u, &state.u_last})
-    for (std::size_t c = 0; c < u->size(); ++c)
-      parts.push_back({of_sign(cells, c == along_z ? even : odd), &(*u)[c]});
-  parts.push_back({cells, &state.p});
-  parts.push_back({cells, &state.p_last});
-  for (std::size_t step : {0UL, 1UL}) {
-    parts.push_back({corners, &state.grid[step].y});
-    parts.push_back({of_sign(corners, even), &state.grid[step].z});
-  }
-  return parts;
+template <int dim, class State, class Use>
+void for_each_part(State& state, const Use& use) {
+  visit(state, Parts<dim, Use>(state.jump.rows(), use));
 }
 
-// The flag's that it depends on, each with the numbers of its stations one behind the other.
-template <int dim, class State, class Visit>
-void for_each_flag_part(State& state, const Visit& visit) {
-  for (auto* x : {&state.flag.x, &state.flag.v, &state.flag.previous_x, &state.flag.previous_v})
-    for (Eigen::Index node = 0; node < x->cols(); ++node) visit((*x)(dim - 1, node));
-  for (auto* jump : {&state.jump, &state.previous_jump})
-    for (Eigen::Index k = 0; k < jump->size(); ++k) visit(jump->data()[k]);
-}
-
-// function(the first of a row's numbers), in order.
-template <class F, class Function>
-void for_each_row(const FieldPart<F>& part, const Function& function) {
-  for (Eigen::Index plane = 0; plane < part.block.planes; ++plane)
-    for (Eigen::Index row = 0; row < part.block.rows; ++row)
-      function(part.field->row(static_cast<int>(plane), static_cast<int>(row)));
+// use(number) for each number of a part, in order.
+template <class RowAt, class Use>
+void for_each_number(const Block& block, const RowAt& row_at, const Use& use) {
+  for (int plane = 0; plane < block.planes; ++plane)
+    for (int row = 0; row < block.rows; ++row) {
+      auto* numbers = row_at(plane, row);
+      for (Eigen::Index i = 0; i < block.columns; ++i) use(numbers[i * block.stride]);
+    }
 }
 
 void keep_sign(const Block& block, double* q) {
@@ -105,41 +150,29 @@ Propagator<dim>::Propagator(Coupling<dim>& coupling, CoupledState<dim> base,
 template <int dim>
 Eigen::VectorXd Propagator<dim>::packed(const CoupledState<dim>& state) const {
   std::vector<double> numbers;
-  for (const auto& part : fields_of(state.fluid))
-    for_each_row(part, [&](const double* row) {
-      numbers.insert(numbers.end(), row, row + part.block.columns);
-    });
-  for_each_flag_part<dim>(state, [&](double number) { numbers.push_back(number); });
+  for_each_part<dim>(state, [&](const Block& block, const auto& row_at, const auto&) {
+    for_each_number(block, row_at, [&](const double& number) { numbers.push_back(number); });
+  });
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
                                            static_cast<Eigen::Index>(numbers.size()));
 }
 
 template <int dim>
 void Propagator<dim>::add(double factor, const double* q, CoupledState<dim>& state) const {
-  for (const auto& part : fields_of(state.fluid)) {
-    for_each_row(part, [&](double* row) {
-      for (Eigen::Index i = 0; i < part.block.columns; ++i) row[i] += factor * *q++;
-    });
-    for (int plane = 0; plane < part.block.planes; ++plane)
-      part.field->wrap_theta(plane, 0, static_cast<int>(part.block.rows));
-  }
-  for_each_flag_part<dim>(state, [&](double& number) { number += factor * *q++; });
+  for_each_part<dim>(state, [&](const Block& block, const auto& row_at, const auto& close) {
+    for_each_number(block, row_at, [&](double& number) { number += factor * *q++; });
+    close();
+  });
 }
 
 template <int dim>
 void Propagator<dim>::keep_sinuous_part(Eigen::VectorXd& q) const {
   double* numbers = q.data();
-  std::vector<Block> blocks;
-  for (const auto& part : fields_of(base_.fluid)) blocks.push_back(part.block);
-  const Eigen::Index stations = base_.jump.rows();
-  const Block nodes{Lattice::flag, 1, stations, 1, base_.flag.x.cols() / stations};
-  const Block segments{Lattice::flag, 1, stations, 1, base_.jump.cols()};
-  blocks.insert(blocks.end(), {nodes, nodes, nodes, nodes, segments, segments});
-  for (const Block& block : blocks) {
+  for_each_part<dim>(base_, [&](const Block& block, const auto&, const auto&) {
     if (block.lattice != Lattice::flag) keep_sign(block, numbers);
     if constexpr (dim == 3) take_mean_of_planes_out(block, numbers);
     numbers += block.size();
-  }
+  });
   assert(numbers == q.data() + q.size());
 }
 

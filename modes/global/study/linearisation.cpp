@@ -1,5 +1,6 @@
 #include "modes/global/study/linearisation.hpp"
 
+#include "dns/flag/of_case.hpp"
 #include "dns/fluid/equations/wall_faces.hpp"
 
 namespace pennon::modes::global {
@@ -31,8 +32,8 @@ Linearisations::Linearisations(const FlagParameters& flag, const FlowParameters&
     : parameter_(parameter),
       grid_(grid_of(settings)),
       chord_(dns::coupled_chord(grid_)),
-      edge_(flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned),
-      material_{1, flag.K_B, flag.K_S, flag.nu_s, flag.damping},
+      edge_(dns::leading_edge_of(flag)),
+      material_(dns::material_of(flag, 1)),
       flow_(plane_parameters(flow, settings)),
       k_x_(*settings.k_x),
       spanwise_nodes_(static_cast<int>(settings.n_x)),

@@ -63,13 +63,14 @@ void declare(Schema& schema, Settings& settings) {
   declare(schema, settings.map);
 }
 
-void check(const Settings& settings, const FlagParameters& flag, bool has_flow, Faults& faults) {
+void check(const Settings& settings, const FlagParameters& flag, bool has_flow, bool is_asked_for,
+           Faults& faults) {
   if (!settings.is_given)
     for (const auto& [is_given, table] :
          {std::pair(settings.neutral.is_given, "modes.global.neutral"),
           std::pair(settings.map.is_given, "modes.global.map")})
       if (is_given) faults.about(table, fmt::format("[{}] needs [modes.global] beside it", table));
-  if (!settings.is_given) return;
+  if (!settings.is_given && !is_asked_for) return;
   check(settings.neutral, faults);
   check(settings.map, faults);
   if (!has_flow)
@@ -84,6 +85,14 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
   if (settings.n_theta % 2 != 0)
     faults.about("modes.global.n_theta",
                  fmt::format("modes.global.n_theta = {} must be even", settings.n_theta));
+  for (const auto& [key, cells] :
+       {std::pair("n_rho", settings.n_rho), std::pair("n_theta", settings.n_theta)})
+    if (static_cast<double>(cells) > cell_count.high)
+      faults.about(
+          fmt::format("modes.global.{}", key),
+          fmt::format("modes.global.{0} = {1}, which dns.{0} gives, is more than {2}: give "
+                      "modes.global.{0}",
+                      key, cells, cell_count.high));
   for (const double g : flag.gravity)
     if (g != 0) {
       faults.about("flag.gravity", "[modes.global] does not know flag.gravity: it must be 0");

@@ -30,8 +30,9 @@ struct Settings {
 
 void declare(Schema&, Settings&);
 
-/// The faults between keys.
-void check(const Settings&, const FlagParameters&, bool has_flow, Faults&);
+/// The faults between keys. `is_asked_for`: whether global modes are to be found even if the case
+/// has no [modes.global].
+void check(const Settings&, const FlagParameters&, bool has_flow, bool is_asked_for, Faults&);
 
 /// The grid and step of the simulation, for what the case does not say about its modes.
 struct Discretisation {

@@ -7,6 +7,7 @@
 
 #include "common/errors.hpp"
 #include "common/stop_watch.hpp"
+#include "dns/flag/of_case.hpp"
 #include "dns/fluid/equations/wall_faces.hpp"
 
 namespace pennon::modes::global {
@@ -114,9 +115,8 @@ Result run(const FlagParameters& flag, const FlowParameters& flow, const Setting
   found.base_flow = {result.base.drag_coefficient, result.base.residual, result.base.tension};
   found.chord = dns::coupled_chord(grid);
   found.base_seconds = watch.lap();
-  const dns::FlagMaterial material{flag.mu, flag.K_B, flag.K_S, flag.nu_s, flag.damping};
-  const dns::Edge edge =
-      flag.leading_edge == LeadingEdge::clamped ? dns::Edge::clamped : dns::Edge::pinned;
+  const dns::FlagMaterial material = dns::material_of(flag);
+  const dns::Edge edge = dns::leading_edge_of(flag);
   const FlagOf flag_of = [&](const dns::FlagMaterial& its, double share) {
     return flag_operator(found.chord, edge, its, scaled(result.base.forces, share), k_x,
                          result.n_x);

@@ -26,7 +26,7 @@ struct Case {
     declare(schema, flow, has_flow);
     declare(schema, settings);
     Faults faults = read_case_text(text, "flag.toml", {}, schema);
-    check(settings, flag, flow, faults);
+    check(settings, flag, flow, false, faults);
     faults.raise();
   }
 };

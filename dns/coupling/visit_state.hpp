@@ -1,0 +1,28 @@
+/// What the state of flag and fluid together consists of, for visit().
+#pragma once
+
+#include <type_traits>
+
+#include "dns/coupling/coupling.hpp"
+#include "dns/flag/state.hpp"
+#include "dns/fluid/visit_state.hpp"
+#include "dns/numerics/state_members.hpp"
+
+namespace pennon::dns {
+
+template <class T>
+concept IsCoupledState = std::is_same_v<std::remove_const_t<T>, CoupledState<2>> ||
+    std::is_same_v<std::remove_const_t<T>, CoupledState<3>>;
+
+/// The states of fluid and flag are members with members of their own.
+template <IsCoupledState State>
+auto members_of(State& state) {
+  auto& [fluid, flag, jump, previous_jump, power] = state;
+  return std::tuple{member("fluid", MemberKind::state, fluid),
+                    member("flag", MemberKind::state, flag),
+                    member("jump", MemberKind::pressure, jump),
+                    member("previous_jump", MemberKind::pressure, previous_jump, 1),
+                    member("power", MemberKind::number, power)};
+}
+
+}  // namespace pennon::dns

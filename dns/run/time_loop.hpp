@@ -1,0 +1,151 @@
+/// The loop through time that every run of a flag, a fluid or both has: steps, what is kept at
+/// intervals, checkpoints, interrupts.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "common/errors.hpp"
+#include "common/interrupt.hpp"
+#include "common/io/hdf5.hpp"
+#include "common/io/output_folder.hpp"
+#include "common/parallel/ranks.hpp"
+#include "common/progress.hpp"
+#include "common/stop_watch.hpp"
+#include "dns/run/output_settings.hpp"
+#include "dns/run/schedule.hpp"
+
+namespace pennon::dns {
+
+/// What the loop advances. Every rank calls every function.
+template <class Body>
+concept RunsThroughTime = requires(Body body, const Body& self, hdf5::Writer* file,
+                                   const hdf5::Reader& reader, const std::filesystem::path& path) {
+  { self.name() } -> std::convertible_to<std::string>;  ///< for the bar of progress
+  { self.time() } -> std::same_as<double>;
+  { self.is_at_end() } -> std::same_as<bool>;
+  body.start();  ///< from the case, with what is kept of t = 0
+  body.step();   ///< throws SolverError
+  { self.words_of_step() } -> std::convertible_to<std::string>;
+
+  body.keep_row();
+  body.keep_shape();
+  body.keep_fields();
+  { self.has_rows() } -> std::same_as<bool>;
+  self.write_results();
+
+  /// "flag_checkpoint", and what a file of another kind is not.
+  { self.checkpoint_kind() } -> std::convertible_to<std::string>;
+  { self.words_of_checkpoint() } -> std::convertible_to<std::string>;
+  self.write(file);  ///< all but the kind; null but on the leading rank
+  body.read(reader, path);
+  body.forget();  ///< has the next step depend on the state alone, as after a restart
+};
+
+struct LoopSummary {
+  double t_end = 0;
+  std::int64_t steps = 0;   ///< of this run, without those before a restart
+  double step_seconds = 0;  ///< of the steps alone
+  std::string checkpoint;   ///< the last one; empty: none
+};
+
+template <RunsThroughTime Body>
+class TimeLoop {
+ public:
+  TimeLoop(Body& body, const OutputSettings& output, double t_end, const OutputFolder& folder)
+      : body_(body), output_(output), t_end_(t_end), folder_(folder) {}
+
+  /// Starts, or goes on from a checkpoint, and leaves results and a checkpoint at the end. Throws
+  /// SolverError (the last checkpoint's name in it), InputError (a checkpoint of something else),
+  /// FileError, and Interrupted after a checkpoint.
+  LoopSummary run(const std::optional<std::filesystem::path>& restart, bool shows_progress) {
+    if (restart)
+      read_checkpoint(*restart);
+    else
+      body_.start();
+    Progress progress(body_.name(), ticks, shows_progress);
+    progress.begin_at(ticks_at(body_.time()));
+    while (!body_.is_at_end()) {
+      if (ranks::any(is_interrupted())) stop();
+      const double before = body_.time();
+      step();
+      keep_what_is_due(before);
+      progress.advance_to(ticks_at(body_.time()), [this] { return body_.words_of_step(); });
+    }
+    write_checkpoint();
+    body_.write_results();
+    summary_.t_end = body_.time();
+    return summary_;
+  }
+
+ private:
+  static constexpr std::int64_t ticks = 1'000'000;
+  std::int64_t ticks_at(double t) const {
+    return static_cast<std::int64_t>(static_cast<double>(ticks) * t / t_end_);
+  }
+
+  void step() {
+    const StopWatch watch;
+    try {
+      body_.step();
+    } catch (const SolverError& fault) {
+      if (body_.has_rows()) body_.write_results();
+      const std::string saved = summary_.checkpoint.empty()
+                                    ? "no checkpoint was written before"
+                                    : "the last checkpoint is " + summary_.checkpoint;
+      throw SolverError(std::string(fault.what()) + "; " + saved);
+    }
+    summary_.step_seconds += watch.seconds();
+    ++summary_.steps;
+  }
+
+  void keep_what_is_due(double before) {
+    const auto is_due = [&](double interval) {
+      return passes_multiple(interval, before, body_.time());
+    };
+    if (output_.history_interval == 0 || is_due(output_.history_interval)) body_.keep_row();
+    if (is_due(output_.shape_interval)) body_.keep_shape();
+    if (is_due(output_.field_interval)) body_.keep_fields();
+    if (is_due(output_.checkpoint_interval)) write_checkpoint();
+  }
+
+  [[noreturn]] void stop() {
+    write_checkpoint();
+    body_.write_results();
+    const std::string advice = "go on with --restart " + summary_.checkpoint;
+    stop_if_interrupted(advice.c_str());
+    throw Interrupted("stopped by another rank; " + advice);
+  }
+
+  void write_checkpoint() {
+    const std::filesystem::path path = folder_ / "checkpoint.h5";
+    body_.forget();
+    std::optional<hdf5::Writer> file;
+    if (ranks::is_leading()) {
+      file.emplace(path);
+      file->attributes({{"kind", body_.checkpoint_kind()}});
+    }
+    body_.write(file ? &*file : nullptr);
+    if (file) file->finish();
+    summary_.checkpoint = path.string();
+  }
+
+  void read_checkpoint(const std::filesystem::path& path) {
+    const hdf5::Reader file(path);
+    if (file.text("/", "kind") != body_.checkpoint_kind())
+      throw InputError(path.string(), "is not " + std::string(body_.words_of_checkpoint()));
+    body_.read(file, path);
+    summary_.checkpoint = path.string();
+  }
+
+  Body& body_;
+  const OutputSettings& output_;
+  double t_end_;
+  const OutputFolder& folder_;
+  LoopSummary summary_;
+};
+
+}  // namespace pennon::dns
