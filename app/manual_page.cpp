@@ -57,7 +57,7 @@ std::string upper_case(std::string text) {
 }  // namespace
 
 std::string manual_page(const CLI::App& program, const std::string& version) {
-  const std::string name = program.get_name();
+  const std::string& name = program.get_name();
   std::string page = fmt::format(
       ".TH {} 1 \"\" \"{} {}\"\n"
       ".SH NAME\n{} \\- the flutter of flags and thin membranes in a stream\n"

@@ -103,7 +103,7 @@ std::string symbol_text(std::string_view symbol) {
 }
 
 std::string label_of(const hdf5::Reader& file, const std::string& array) {
-  if (const std::string label = file.text(array, "label"); !label.empty()) return label;
+  if (std::string label = file.text(array, "label"); !label.empty()) return label;
   const std::string quantity = file.text(array, "quantity");
   return (quantity.empty() ? "" : quantity + ' ') + symbol_text(file.text(array, "symbol"));
 }

@@ -24,8 +24,8 @@ class AddedInertia {
   AddedInertia() = default;
   AddedInertia(const AddedInertia&) = default;
   AddedInertia& operator=(const AddedInertia&) = default;
-  AddedInertia(AddedInertia&&) = default;
-  AddedInertia& operator=(AddedInertia&&) = default;
+  AddedInertia(AddedInertia&&) noexcept = default;
+  AddedInertia& operator=(AddedInertia&&) noexcept = default;
 };
 
 }  // namespace pennon::dns

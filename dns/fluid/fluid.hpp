@@ -36,6 +36,7 @@ class Fluid {
   /// `span`: one plane for two dimensions, which carries a third velocity only if U is not zero.
   Fluid(const OGrid&, Span, const FluidParameters&, const FluidTolerances&,
         const Upwinding& = upwinding::kawamura_kuwahara);
+  ~Fluid() = default;
   Fluid(const Fluid&) = delete;
   Fluid& operator=(const Fluid&) = delete;
 
