@@ -1,6 +1,6 @@
 /// The second-order backward difference of (3.2) for steps of unequal length:
 ///
-///   df/dt at n + 1 = (new_weight f^{n+1} + last f^n + before f^{n-1}) + O(dt^2),
+///   df/dt at n + 1 = (next f^{n+1} + last f^n + before f^{n-1}) + O(dt^2),
 ///
 /// and the value at n + 1 extrapolated from n and n - 1. The first step is of first order.
 #pragma once
