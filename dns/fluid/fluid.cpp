@@ -5,16 +5,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/errors.hpp"
 #include "common/parallel/ranks.hpp"
 #include "common/smooth_rise.hpp"
 #include "common/stop_watch.hpp"
 
 namespace pennon::dns {
-
-void fail_at(double t, const std::string& what) {
-  throw SolverError(fmt::format("at t = {:.6g}: {}", t, what));
-}
 
 Fluid::Fluid(const OGrid& grid, Span span, const FluidParameters& parameters,
              const FluidTolerances& tolerances, const Upwinding& upwinding)
@@ -99,9 +94,10 @@ void Fluid::set_step(double t, double dt, const FluidState& state) {
   if (ramp > 0)
     rate = step_.D.derivative(risen, smooth_rise(state.t, ramp),
                               smooth_rise(state.t - state.previous_dt, ramp));
+  const std::array<double, 3> stream = uniform_stream(parameters_.U);
   for (const Component c : {along_y, along_z, along_x}) {
-    step_.stream[c] = risen * uniform_stream(c, parameters_.U);
-    step_.drive[c] = rate * uniform_stream(c, parameters_.U);
+    step_.stream[c] = risen * stream[c];
+    step_.drive[c] = rate * stream[c];
   }
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "common/parallel/ranks.hpp"
+#include "dns/fluid/span_terms.hpp"
 #include "dns/grid/packing.hpp"
 
 namespace pennon::dns {
@@ -16,8 +17,7 @@ Prediction::Prediction(const OGrid& grid, const Span& span, const MovingGrid& mo
                        const FluidParameters& parameters, const FluidTolerances& tolerances,
                        const Upwinding& upwinding, const Manufactured& manufactured, int components,
                        FluidScratch& scratch, const std::shared_ptr<KrylovSpace>& space)
-    : grid_(grid),
-      span_(span),
+    : span_(span),
       moving_(moving),
       parameters_(parameters),
       tolerances_(tolerances),
@@ -47,6 +47,7 @@ void Prediction::predict(const FluidStep& step, const WallVelocity& wall_velocit
                          FluidStepSummary& summary) {
   for (std::size_t c = 0; c < velocity.size(); ++c)
     combine(step.D.guess_last, state.u[c], step.D.guess_before, state.u_last[c], velocity[c]);
+  problem_ = {};  // a prediction that threw may have left its own
   problem_ = {&step,
               &state,
               &velocity,
@@ -247,26 +248,6 @@ void Prediction::multiply(const Components& components, const double* in, double
     }
   for (std::size_t k = 0; k < components.count(); ++k)
     if (f_xi[k]) add_flux_along_x(span_, -nu, *f_xi[k], out + k * cells);
-}
-
-void find_pressure_gradient(const Metrics<double>& metrics, const Span& span, std::size_t component,
-                            const Field<double>& p, FluidScratch& scratch,
-                            Field<double>& gradient) {
-  FieldLease p_xi;
-  if (component == along_x) {
-    p_xi = scratch.fields.lease("derivative of the pressure by x");
-    span.differentiate(p, *p_xi);
-  }
-  for (int plane = 0; plane < p.extent().planes; ++plane)
-    pressure_gradient(metrics, plane, component, p, p_xi.get(), gradient);
-}
-
-void add_flux_along_x(const Span& span, double factor, Field<double>& flux, double* packed) {
-  span.differentiate(flux, flux);
-  for_each_row(flux.extent(), [&](int plane, int j) {
-    const double* row = flux.row(plane, j);
-    for (int i = 0; i < flux.extent().n_theta; ++i) *packed++ += factor * row[i];
-  });
 }
 
 }  // namespace pennon::dns

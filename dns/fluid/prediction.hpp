@@ -60,7 +60,6 @@ class Prediction {
   void multiply(const Components&, const double* in, double* out);
   const Field<double>* u_x() const;
 
-  const OGrid& grid_;
   const Span& span_;
   const MovingGrid& moving_;
   const FluidParameters& parameters_;
@@ -76,17 +75,5 @@ class Prediction {
   Krylov in_plane_, along_span_;
   Problem problem_;
 };
-
-/// Whether the pressure acts on a component: along x only where there is a span.
-inline bool has_pressure_gradient(const Span& span, std::size_t component) {
-  return component != along_x || span.has_span();
-}
-
-/// A component of grad p at all cells of this rank, of the pressure with its ghosts.
-void find_pressure_gradient(const Metrics<double>&, const Span&, std::size_t component,
-                            const Field<double>& p, FluidScratch&, Field<double>& gradient);
-
-/// Adds `factor` times the derivative by x of a flux, which is lost, to packed cells.
-void add_flux_along_x(const Span&, double factor, Field<double>& flux, double* packed);
 
 }  // namespace pennon::dns

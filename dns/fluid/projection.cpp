@@ -3,15 +3,14 @@
 #include <algorithm>
 
 #include "dns/fluid/equations/continuity.hpp"
-#include "dns/fluid/prediction.hpp"
+#include "dns/fluid/span_terms.hpp"
 #include "dns/grid/packing.hpp"
 
 namespace pennon::dns {
 
 Projection::Projection(const OGrid& grid, const Span& span, const MovingGrid& moving,
                        FluidScratch& scratch, const std::shared_ptr<KrylovSpace>& space)
-    : grid_(grid),
-      span_(span),
+    : span_(span),
       moving_(moving),
       extent_{span.local_planes(), grid.n_rho(), grid.n_theta()},
       scratch_(scratch),

@@ -61,7 +61,6 @@ class Projection {
   void multiply(const double* in, double* out);
   void invert_flat(const double* in, double* out);
 
-  const OGrid& grid_;
   const Span& span_;
   const MovingGrid& moving_;
   Extent extent_;

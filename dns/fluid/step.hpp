@@ -67,12 +67,8 @@ using FieldLease = Scratch<Field<double>>::Lease;
 using VectorLease = Scratch<std::vector<double>>::Lease;
 
 /// sum = a f + b g, ghosts too.
-inline void combine(double a, const Field<double>& f, double b, const Field<double>& g,
-                    Field<double>& sum) {
-  const double *from = f.values().data(), *other = g.values().data();
-  double* to = sum.values().data();
-  for (std::size_t k = 0; k < sum.values().size(); ++k) to[k] = a * from[k] + b * other[k];
-}
+void combine(double a, const Field<double>& f, double b, const Field<double>& g,
+             Field<double>& sum);
 
 /// Throws SolverError with the time in front.
 [[noreturn]] void fail_at(double t, const std::string& what);

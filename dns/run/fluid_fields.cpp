@@ -31,12 +31,12 @@ const Field<double>* unless_empty(const Field<double>& field) {
 
 constexpr Quantity quantities[] = {
     {"v", "velocity along y, in V", false, false,
-     [](const FluidState& state, const Vorticity&) { return &state.u[0]; }},
+     [](const FluidState& state, const Vorticity&) { return &state.u[along_y]; }},
     {"w", "velocity along z, in V", false, false,
-     [](const FluidState& state, const Vorticity&) { return &state.u[1]; }},
+     [](const FluidState& state, const Vorticity&) { return &state.u[along_z]; }},
     {"u", "velocity along x, in V", true, false,
      [](const FluidState& state, const Vorticity&) {
-       return state.u.size() > 2 ? &state.u[2] : nullptr;
+       return state.u.size() > along_x ? &state.u[along_x] : nullptr;
      }},
     {"p", "pressure, in rho_f V^2", false, false,
      [](const FluidState& state, const Vorticity&) { return &state.p; }},

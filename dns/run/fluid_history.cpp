@@ -150,8 +150,9 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
       const auto value = [&](const Field<double>& f) {
         return point ? point->value(f, plane) : std::numeric_limits<double>::quiet_NaN();
       };
-      found.insert(found.end(), {value(state.u[0]), value(state.u[1]),
-                                 state.u.size() > 2 ? value(state.u[2]) : 0.0, value(state.p)});
+      found.insert(found.end(),
+                   {value(state.u[along_y]), value(state.u[along_z]),
+                    state.u.size() > along_x ? value(state.u[along_x]) : 0.0, value(state.p)});
     }
     append(ranks::gather(found), history.probes);
   }

@@ -5,9 +5,13 @@
 
 #if !defined(__SANITIZE_ADDRESS__)
 
+#include <gtest/gtest.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <memory>
+#include <vector>
 
 namespace pennon::test {
 
@@ -30,6 +34,12 @@ MemoryRequests memory_requests_of(const Function& function) {
   largest_request = 0;
   const std::size_t calls = calls_of_malloc_in(function);
   return {calls, largest_request};
+}
+
+/// The counter itself: without it a test of allocations could not fail.
+inline void expect_that_malloc_is_counted() {
+  std::unique_ptr<std::vector<double>> some;
+  EXPECT_GT(calls_of_malloc_in([&] { some = std::make_unique<std::vector<double>>(100); }), 0U);
 }
 
 }  // namespace pennon::test

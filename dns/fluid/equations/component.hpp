@@ -16,10 +16,9 @@ enum Component : std::size_t { along_y, along_z, along_x };
 inline constexpr std::array<Component, 3> component_of = {along_x, along_y, along_z};
 inline constexpr std::array<std::size_t, 3> axis_of = {1, 2, 0};
 
-/// The uniform stream (U, 1, 0), V = 1.
-inline double uniform_stream(std::size_t component, double U) {
-  if (component == along_x) return U;
-  return component == along_y ? 1.0 : 0.0;
+/// The uniform stream by component: V = 1 along y and U along x.
+inline std::array<double, 3> uniform_stream(double U) {
+  return {1, 0, U};
 }
 
 /// The area vector's component; empty along x where there is no span.

@@ -17,9 +17,7 @@ PlaneEquations<Scalar>::PlaneEquations(const OGrid& grid, const PlaneParameters&
                                        int components)
     : grid_(grid),
       parameters_(parameters),
-      stream_{dns::uniform_stream(along_y, parameters.U),
-              dns::uniform_stream(along_z, parameters.U),
-              dns::uniform_stream(along_x, parameters.U)},
+      stream_(dns::uniform_stream(parameters.U)),
       extent_{1, grid.n_rho(), grid.n_theta()},
       metrics_(extent_, components > 2),
       no_slope_(extent_),

@@ -45,7 +45,6 @@ class Parts {
   template <class F>
   requires std::is_same_v<std::remove_const_t<F>, std::vector<Field<double>>>
   void operator()(const MemberInfo& info, F& velocity) const {
-    constexpr std::size_t along_z = 1;
     if (info.kind == MemberKind::guess) return;
     for (std::size_t c = 0; c < velocity.size(); ++c)
       part(Lattice::cells, c == along_z ? even : odd, velocity[c]);
@@ -62,8 +61,8 @@ class Parts {
     }
   }
   // Of the nodes their motion along z.
-  void operator()(const MemberInfo&, NodeVectors<dim>& nodes) const { along_z(nodes); }
-  void operator()(const MemberInfo&, const NodeVectors<dim>& nodes) const { along_z(nodes); }
+  void operator()(const MemberInfo&, NodeVectors<dim>& nodes) const { part_of_nodes(nodes); }
+  void operator()(const MemberInfo&, const NodeVectors<dim>& nodes) const { part_of_nodes(nodes); }
   void operator()(const MemberInfo&, SegmentValues& jump) const {
     of_stations(jump.data(), jump.size(), 1);
   }
@@ -87,7 +86,7 @@ class Parts {
         });
   }
   template <class Nodes>
-  void along_z(Nodes& nodes) const {
+  void part_of_nodes(Nodes& nodes) const {
     of_stations(nodes.data() + (dim - 1), nodes.cols(), dim);
   }
   template <class Number>

@@ -22,7 +22,7 @@ struct PlaneGradient {
 // omega_x; the ghosts of v and w as PlaneEquations left them.
 template <class Scalar>
 Field<Scalar> vorticity(const dns::Metrics<Scalar>& metrics, const PlaneFlow<Scalar>& q) {
-  const PlaneGradient<Scalar> v(metrics, q.u[0]), w(metrics, q.u[1]);
+  const PlaneGradient<Scalar> v(metrics, q.u[dns::along_y]), w(metrics, q.u[dns::along_z]);
   Field<Scalar> omega = w.y;
   for (std::size_t k = 0; k < omega.values().size(); ++k) omega.values()[k] -= v.z.values()[k];
   return omega;

@@ -2,15 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "common/case/parameters.hpp"
 
 namespace pennon::modes::global {
 namespace {
-
-constexpr std::array parameters = {CurveParameter::Re, CurveParameter::k_x, CurveParameter::K_B,
-                                   CurveParameter::nu_s};
 
 template <class Settings>
 const std::optional<Sweep>& sweep_of(const Settings& settings, CurveParameter parameter) {
@@ -48,7 +43,7 @@ void check_values(const std::string& key, const Sweep& values, Faults& faults) {
 template <class Settings>
 void check_sweep(const std::string& table, const Settings& settings, Faults& faults) {
   int given = 0;
-  for (const CurveParameter parameter : parameters) {
+  for (const CurveParameter parameter : curve_parameters) {
     const std::optional<Sweep>& values = sweep_of(settings, parameter);
     if (!values) continue;
     ++given;
@@ -62,7 +57,7 @@ void check_sweep(const std::string& table, const Settings& settings, Faults& fau
 
 template <class Settings>
 CurveParameter parameter_of(const Settings& settings) {
-  for (const CurveParameter parameter : parameters)
+  for (const CurveParameter parameter : curve_parameters)
     if (sweep_of(settings, parameter)) return parameter;
   return CurveParameter::Re;
 }

@@ -2,6 +2,7 @@
 /// [modes.global.neutral] and [modes.global.map].
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +15,8 @@ namespace pennon::modes::global {
 
 /// What may vary along a neutral curve.
 enum class CurveParameter { Re, k_x, K_B, nu_s };
+inline constexpr std::array curve_parameters = {CurveParameter::Re, CurveParameter::k_x,
+                                                CurveParameter::K_B, CurveParameter::nu_s};
 
 struct NeutralSettings {
   bool is_given = false;

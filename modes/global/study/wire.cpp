@@ -140,9 +140,7 @@ void members(auto& wire, Is<Findings> auto& of) {
 CurveParameter parameter_named(const Json& word) {
   static const Json known = [] {
     Json json;
-    for (const CurveParameter each :
-         {CurveParameter::Re, CurveParameter::k_x, CurveParameter::K_B, CurveParameter::nu_s})
-      json[name(each)] = static_cast<int>(each);
+    for (const CurveParameter each : curve_parameters) json[name(each)] = static_cast<int>(each);
     return json;
   }();
   return static_cast<CurveParameter>(known.at(word.get<std::string>()).get<int>());
