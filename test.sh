@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests. ./test.sh LABEL runs what has one label only:
 # unit, verification, regression, or validation, which is left out otherwise because it takes long.
-# ./test.sh lint checks style and seeks defects in the sources that changed since they last passed.
+# ./test.sh bench builds the benchmarks in build/bench/, to be run by hand. ./test.sh lint checks style and seeks defects in the sources that changed since they last passed.
 # ./test.sh sanitize runs the unit tests under the address and undefined-behaviour sanitizers, in
 # build-sanitize/. ./test.sh kernels runs the tests once under each of several kernels of OpenBLAS
 # that this processor can execute, about three minutes each: rounding differs between them, so a bound
@@ -14,15 +14,15 @@ source cmake/setup.sh
 # Needs the compile commands of every source and the header of the commit, but nothing built.
 lint() {
   install_packages run test lint
-  configure_tests
-  cmake --build --preset release --target pennon_commit
-  [[ ${PENNON_SETUP_ONLY:-0} == 1 ]] || cmake -D BUILD_DIR=build -P cmake/lint.cmake
+  cmake --preset lint
+  cmake --build --preset lint --target pennon_commit
+  [[ ${PENNON_SETUP_ONLY:-0} == 1 ]] || cmake -D BUILD_DIR=build-lint -P cmake/lint.cmake
 }
 
 # No part of the other tests, because all is built once more for it.
 sanitize() {
   install_packages run test
-  configure_tests sanitize
+  cmake --preset sanitize
   cmake --build --preset sanitize --target pennon pennon-global unit_tests
   [[ ${PENNON_SETUP_ONLY:-0} == 1 ]] ||
     ctest --preset sanitize --no-tests=error --parallel 2 --label-regex '^unit$'
@@ -78,7 +78,7 @@ run_under_kernels() {
   ((${#failed[@]} == 0)) || fail "failed under: ${failed[*]}"
 }
 
-(($# <= 1)) || fail "usage: ./test.sh [LABEL | kernels | lint | sanitize]"
+(($# <= 1)) || fail "usage: ./test.sh [LABEL | bench | kernels | lint | sanitize]"
 label=${1:-}
 case $label in
   lint | sanitize)
@@ -86,17 +86,23 @@ case $label in
     exit
     ;;
 esac
-set_up
+case $label in
+  validation) set_up_tests VALIDATION ;;
+  bench) set_up_tests BENCHMARKS ;;
+  *) set_up_tests ;;
+esac
 [[ ${PENNON_SETUP_ONLY:-0} != 1 ]] || exit 0
 
 case $label in
   "")
     run_tests --label-exclude '^validation$'
     ;;
+  bench) ls build/bench/bench_* ;;
   kernels) run_under_kernels ;;
   *)
     known_labels | grep --quiet --line-regexp --fixed-strings -- "$label" ||
-      fail "no test has the label $label; there are: kernels lint sanitize $(known_labels | xargs)"
+      fail "no test has the label $label; there are: bench kernels lint sanitize" \
+        "$({ known_labels && echo validation; } | sort --unique | xargs)"
     run_tests --label-regex "^$label\$"
     ;;
 esac

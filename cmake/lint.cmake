@@ -1,4 +1,4 @@
-# Checks the style and finds defects: cmake -D BUILD_DIR=build -P cmake/lint.cmake
+# Checks the style and finds defects: cmake -D BUILD_DIR=build-lint -P cmake/lint.cmake
 #
 # clang-format over every file, then clang-tidy, two at a time, over every source that is not known to
 # pass. cmake/lint.passed lists those that are: a hash for each, over the source, the headers of the

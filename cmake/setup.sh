@@ -48,18 +48,17 @@ set_up_programs() {
   install_packages run
   say "configuring and building the programs in build/"
   local options=()
-  [[ -f build/CMakeCache.txt ]] || options=(-D PENNON_TESTS=OFF -D PENNON_BENCHMARKS=OFF)
+  [[ -f build/CMakeCache.txt ]] || options=(-D PENNON_TESTS=OFF)
   cmake --preset release "${options[@]}"
   cmake --build --preset release --target pennon pennon-global
 }
 
-# Configures with tests and benchmarks: configure_tests [PRESET]
-configure_tests() { cmake --preset "${1:-release}" -D PENNON_TESTS=ON -D PENNON_BENCHMARKS=ON; }
-
-# Builds everything, tests and benchmarks too.
-set_up() {
+# Builds the programs and the tests; with VALIDATION or BENCHMARKS those too.
+set_up_tests() {
   install_packages run test
   say "configuring and building in build/"
-  configure_tests
+  local options=(-D PENNON_TESTS=ON)
+  (($#)) && options+=(-D "PENNON_$1=ON")
+  cmake --preset release "${options[@]}"
   cmake --build --preset release
 }

@@ -9,4 +9,6 @@ pennon_test(test_analysis
     unit/analysis/signal/growth.cpp
     unit/analysis/signal/limit_cycle.cpp
     unit/analysis/signal/run_history.cpp
+  SEPARATE
+    unit/analysis/drawing/raster.cpp
   LINK pennon::analysis_figures GTest::gmock)

@@ -16,8 +16,13 @@ pennon_test(test_app_validation
     validation/app/compare_table1.cpp
     validation/dns/coupling/coupled_cases.cpp
     validation/modes/global/convergence.cpp
+  SEPARATE
+    validation/modes/global/convergence.cpp
   LINK pennon::common_case pennon::common_io pennon::common_record fmt::fmt Boost::headers GTest::gmock)
 foreach(program test_app test_app_validation)
+  if(NOT TARGET ${program})
+    continue()
+  endif()
   target_compile_definitions(${program} PRIVATE PENNON_EXECUTABLE="$<TARGET_FILE:pennon>"
                              PENNON_MPIEXEC="${MPIEXEC_EXECUTABLE}")
   add_dependencies(${program} pennon pennon-global)

@@ -12,7 +12,8 @@ pennon_test(test_common
     unit/common/io/hdf5.cpp
     unit/common/io/output_folder.cpp
     unit/common/io/xdmf.cpp
+    unit/common/linear_algebra/svd.cpp
     unit/common/process/process.cpp
     unit/common/record/record.cpp
-  LINK pennon::common_case pennon::common_io pennon::common_process
+  LINK pennon::common_case pennon::common_io pennon::common_linear_algebra pennon::common_process
        pennon::common_record Boost::headers GTest::gmock util)

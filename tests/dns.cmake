@@ -8,6 +8,10 @@ pennon_test(test_grid
     unit/dns/grid/span.cpp
     unit/dns/numerics/anderson.cpp
     unit/dns/numerics/separable_solver.cpp
+  SEPARATE
+    unit/dns/grid/metrics.cpp
+    unit/dns/grid/o_grid.cpp
+    unit/dns/numerics/separable_solver.cpp
   LINK pennon::dns_run)
 # In a program of its own: it takes the place of malloc.
 pennon_test(test_grid_allocations
@@ -24,6 +28,10 @@ pennon_test(test_flag
   SOURCES
     unit/dns/flag/forces.cpp
     unit/dns/flag/frequency.cpp
+    unit/dns/flag/material.cpp
+    unit/dns/flag/tangent_matrix.cpp
+    unit/dns/run/initial_shape.cpp
+  SEPARATE
     unit/dns/flag/material.cpp
     unit/dns/flag/tangent_matrix.cpp
     unit/dns/run/initial_shape.cpp
@@ -60,6 +68,12 @@ pennon_test(test_fluid_verification
     verification/dns/fluid/outflow.cpp
     verification/dns/fluid/plate.cpp
     verification/dns/fluid/potential.cpp
+  SEPARATE
+    verification/dns/fluid/budgets.cpp
+    verification/dns/fluid/extremes.cpp
+    verification/dns/fluid/identities.cpp
+    verification/dns/fluid/manufactured.cpp
+    verification/dns/fluid/outflow.cpp
   LINK pennon::dns_run pennon::lsa)
 pennon_test(test_fluid_validation
   SOURCES

@@ -7,4 +7,6 @@ pennon_test(test_lsa_verification
     verification/lsa/accuracy.cpp
     verification/lsa/added_mass.cpp
     verification/lsa/theory.cpp
+  SEPARATE
+    verification/lsa/theory.cpp
   LINK pennon::lsa)

@@ -20,8 +20,8 @@ namespace pennon::analysis {
 namespace {
 
 // Okabe & Ito (2008), ordered so that the first few differ most, on paper and in grey.
-constexpr std::array<const char*, 8> palette = {"#000000", "#0072B2", "#D55E00", "#009E73",
-                                                "#CC79A7", "#E69F00", "#56B4E9", "#F0E442"};
+constexpr std::array<const char*, 8> line_colors = {"#000000", "#0072B2", "#D55E00", "#009E73",
+                                                    "#CC79A7", "#E69F00", "#56B4E9", "#F0E442"};
 
 // About the pixels of the plot's area in the PNG.
 constexpr std::size_t raster_columns = 1000;
@@ -59,7 +59,7 @@ class PlotItems {
 };
 
 const char* color_of(int index) {
-  return palette[static_cast<std::size_t>(index) % palette.size()];
+  return line_colors[static_cast<std::size_t>(index) % line_colors.size()];
 }
 
 std::string dashes(Stroke stroke) {

@@ -19,8 +19,8 @@ constexpr std::array<const char*, 9> diverging_map = {"#2A4BA0", "#4A73C3", "#7F
                                                       "#E0917A", "#C5524F", "#9E1B2F"};
 
 // Pixels of a picture as SVG, and how many more the PNG has each way.
-constexpr int width = 640;
-constexpr int height = 460;
+constexpr int picture_width = 640;
+constexpr int picture_height = 460;
 constexpr int sharpness = 3;
 
 template <std::size_t count>
@@ -37,12 +37,12 @@ std::string png_terminal() {
   return fmt::format(
       "set terminal pngcairo enhanced size {0},{1} font 'DejaVu Sans,10' fontscale {2} linewidth "
       "{2} pointscale {2}\n",
-      width * sharpness, height * sharpness, sharpness);
+      picture_width * sharpness, picture_height * sharpness, sharpness);
 }
 
 std::string svg_terminal() {
   return fmt::format("set terminal svg standalone enhanced size {},{} font 'DejaVu Sans,12'\n",
-                     width, height);
+                     picture_width, picture_height);
 }
 
 std::string sequential_palette(int bands) {

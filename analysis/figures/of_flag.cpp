@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/figures/result_parts.hpp"
+
 namespace pennon::analysis {
 namespace {
 
@@ -29,10 +31,6 @@ std::vector<double> column(const hdf5::Array& history, std::size_t index) {
   for (std::size_t row = 0; row < history.shape[0]; ++row)
     values.push_back(history.values[row * history.shape[1] + index]);
   return values;
-}
-
-bool is_drawn(const std::vector<double>& energy) {
-  return std::ranges::any_of(energy, [](double e) { return e != 0; });
 }
 
 // The shapes whose strain is drawn: the nearest to the times asked for, or a few at equal
@@ -95,7 +93,7 @@ Figure figure_of_flag_history(const hdf5::Reader& file) {
   int color = 1;
   for (const Drawn& one : drawn) {
     std::vector<double> energy = column(history, one.column);
-    if (one.column != total && !is_drawn(energy)) continue;
+    if (one.column != total && !has_nonzero(energy)) continue;
     const bool is_total = one.column == total;
     figure.lines.push_back({times, std::move(energy), one.label, one.stroke, is_total ? 0 : color++,
                             is_total ? 2.0 : 1.5});

@@ -7,7 +7,7 @@
 namespace pennon::analysis {
 namespace {
 
-constexpr std::size_t most_modes_drawn = 9;
+constexpr std::size_t most_normal_modes_drawn = 9;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Figure figure_of_normal_modes(const hdf5::Reader& file) {
   const std::vector<double> n = file.read("/n").values;
   const std::vector<double> m = file.read("/m").values;
   const std::vector<double> omega = file.read("/omega").values;
-  for (std::size_t i = 0; i < std::min<std::size_t>(n.size(), most_modes_drawn); ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(n.size(), most_normal_modes_drawn); ++i) {
     const auto begin = shapes.values.begin() + static_cast<std::ptrdiff_t>(i * y.size());
     figure.lines.push_back(
         {y,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/figures/result_parts.hpp"
 #include "analysis/signal/series.hpp"
 
 namespace pennon::analysis {
@@ -64,10 +65,6 @@ double largest_displacement(const RunHistory& run) {
   for (const std::vector<double>& station : run.z)
     for (const double z : station) largest = std::max(largest, std::abs(z));
   return largest;
-}
-
-bool is_drawn(const std::vector<double>& values) {
-  return std::ranges::any_of(values, [](double value) { return value != 0; });
 }
 
 }  // namespace
@@ -163,7 +160,7 @@ Figure figure_of_flag_energy(const RunAnalysis& found) {
   figure.lines.push_back({e.t, e.flag_kinetic, "kinetic", Stroke::solid, 1, 1.2});
   figure.lines.push_back({e.t, e.bending, "bending", Stroke::solid, 2, 1.2});
   figure.lines.push_back({e.t, e.stretch, "stretch", Stroke::solid, 3, 1.2});
-  if (is_drawn(e.gravity))
+  if (has_nonzero(e.gravity))
     figure.lines.push_back({e.t, e.gravity, "gravitational", Stroke::solid, 4, 1.2});
   figure.lines.push_back({e.t, e.flag, "total", Stroke::solid, 0, 1.5});
   return figure;

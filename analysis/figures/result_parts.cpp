@@ -1,5 +1,6 @@
 #include "analysis/figures/result_parts.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "analysis/figures/symbol.hpp"
@@ -17,6 +18,10 @@ void fit(FigureAxis& axis, const std::vector<double>& increasing) {
   if (increasing.size() < 2) return;
   axis.low = increasing.front();
   axis.high = increasing.back();
+}
+
+bool has_nonzero(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double value) { return value != 0; });
 }
 
 std::vector<Marks> outcome_marks(const hdf5::Reader& file) {

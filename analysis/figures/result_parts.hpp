@@ -15,6 +15,9 @@ FigureAxis axis_of(const hdf5::Reader&, const std::string& array);
 /// Ends the axis where these values end, unless there are fewer than two.
 void fit(FigureAxis&, const std::vector<double>& increasing);
 
+/// Whether a line of these values is worth drawing: one of them differs from zero.
+bool has_nonzero(const std::vector<double>& values);
+
 /// The outcomes of a table at /marks: the stable ones as open squares, the unstable ones as filled
 /// ones. Empty where the file has none.
 std::vector<Marks> outcome_marks(const hdf5::Reader&);

@@ -1,9 +1,12 @@
 #include "analysis/signal/exponentials.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "common/linear_algebra/svd.hpp"
 
 namespace pennon::analysis {
 namespace {
@@ -52,12 +55,12 @@ Vector amplitudes_of(const Vector& z, const Complexes& samples) {
 std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt, std::size_t most) {
   assert(samples.size() >= 8);
   const Matrix matrix = hankel(samples);
-  const Eigen::BDCSVD<Matrix> svd(matrix, Eigen::ComputeThinV);
-  if (!(svd.singularValues()(0) > 0)) return {};
+  const auto [U, sigma, V] = thin_svd(matrix);
+  if (!(sigma(0) > 0)) return {};
   const double beta = static_cast<double>(matrix.cols()) / static_cast<double>(matrix.rows());
-  const Eigen::Index rank = rank_of(svd.singularValues(), beta, most);
+  const Eigen::Index rank = rank_of(sigma, beta, most);
   if (rank == 0) return {};
-  const Matrix space = svd.matrixV().leftCols(rank).conjugate();
+  const Matrix space = V.leftCols(rank).conjugate();
   const Eigen::Index shifted = space.rows() - 1;
   const Matrix shift =
       space.topRows(shifted).colPivHouseholderQr().solve(space.bottomRows(shifted));

@@ -12,13 +12,7 @@ namespace pennon::analysis {
 namespace {
 
 constexpr double grown = 0.5, ruling_share = 0.9, steady_within = 0.1;
-constexpr double last_part = 0.2;
-// A flag whose amplitude never gets above this, in L, does not flap.
-constexpr double at_rest = 1e-3;
-
-double begin_of_last_part(const std::vector<double>& t) {
-  return t.back() - last_part * (t.back() - t.front());
-}
+constexpr double last_fifth = 0.2;
 
 std::size_t largest_at(const std::vector<std::vector<double>>& envelopes, std::size_t row) {
   const auto at_row = [row](const std::vector<double>& envelope) { return envelope[row]; };
@@ -36,7 +30,7 @@ std::vector<double> total_of(const std::vector<std::vector<double>>& envelopes) 
 
 // Whether the amplitude was as large before the last part of the run as it ever is.
 bool has_stopped_growing(const std::vector<double>& t, const std::vector<double>& total) {
-  const std::size_t last = rows_between(t, begin_of_last_part(t), t.back()).begin;
+  const std::size_t last = rows_between(t, begin_of_last(last_fifth, t), t.back()).begin;
   const auto largest_in = [&](auto begin, auto end) { return *std::max_element(begin, end); };
   const auto middle = total.begin() + static_cast<std::ptrdiff_t>(last);
   return largest_in(total.begin(), middle + 1) >=
@@ -72,7 +66,7 @@ std::size_t first_of_last(std::size_t rows, Condition holds) {
 void find_second_end(const std::vector<double>& t,
                      const std::vector<std::vector<double>>& envelopes,
                      const std::vector<double>& total, Phases& phases) {
-  const double begin = begin_of_last_part(t);
+  const double begin = begin_of_last(last_fifth, t);
   const double mean = Spline(t, total).integral(begin, t.back()) / (t.back() - begin);
   const std::vector<double>& ruling = envelopes[phases.ruling];
   const std::size_t first = first_of_last(t.size(), [&](std::size_t row) {

@@ -7,21 +7,17 @@
 #include <cmath>
 #include <iterator>
 
+#include "analysis/signal/spanwise_amplitudes.hpp"
+
 namespace pennon::analysis {
 namespace {
 
-// Below this amplitude, in L, a flag counts as at rest.
-constexpr double at_rest = 1e-3;
 // How far below the mean a signal must go between two passages, in half ranges.
 constexpr double hysteresis = 0.2;
 // Rows are refined to so many a period and more, for ranges are taken from them.
 constexpr std::size_t refinement = 4;
 // The part of a run, at its end, where its mean and half range are taken.
-constexpr double last_part = 1.0 / 3;
-
-double begin_of_last_part(const std::vector<double>& t) {
-  return t.back() - last_part * (t.back() - t.front());
-}
+constexpr double last_third = 1.0 / 3;
 
 double mean_of(const Spline& spline, double from, double to) {
   return spline.integral(from, to) / (to - from);
@@ -31,7 +27,7 @@ double mean_of(const Spline& spline, double from, double to) {
 // it as long as the signal keeps passing.
 std::vector<double> upward_passages(const std::vector<double>& t,
                                     const std::vector<double>& signal) {
-  const double from = begin_of_last_part(t);
+  const double from = begin_of_last(last_third, t);
   const double mean = mean_of(Spline(t, signal), from, t.back());
   const double depth = hysteresis * half_range(signal, rows_between(t, from, t.back()));
   std::vector<double> passages;
@@ -128,7 +124,7 @@ Scatter scatter_of(const std::vector<Period>& periods) {
 }
 
 std::size_t antinode_of(const RunHistory& run) {
-  const Rows rows = rows_between(run.t, begin_of_last_part(run.t), run.t.back());
+  const Rows rows = rows_between(run.t, begin_of_last(last_third, run.t), run.t.back());
   const auto swing = [&](const std::vector<double>& z) { return half_range(z, rows); };
   return static_cast<std::size_t>(std::ranges::max_element(run.z, {}, swing) - run.z.begin());
 }
@@ -147,7 +143,8 @@ LimitCycleResult find_limit_cycle(const RunHistory& run, const Settings& setting
   cycle.antinode = antinode_of(run);
   const std::vector<double>& z = run.z[cycle.antinode];
   cycle.periods = last_periods(run.t, z, static_cast<std::size_t>(settings.periods));
-  const double swing = half_range(z, rows_between(run.t, begin_of_last_part(run.t), run.t.back()));
+  const double swing =
+      half_range(z, rows_between(run.t, begin_of_last(last_third, run.t), run.t.back()));
   if (std::string fault = fault_of(cycle.periods, swing); !fault.empty()) {
     result.notes.push_back(std::move(fault));
     return result;

@@ -80,6 +80,10 @@ std::vector<double> running_integral(const std::vector<double>& t,
   return sums;
 }
 
+double begin_of_last(double share, const std::vector<double>& t) {
+  return t.back() - share * (t.back() - t.front());
+}
+
 Rows rows_between(const std::vector<double>& t, double from, double to) {
   return {static_cast<std::size_t>(std::ranges::lower_bound(t, from) - t.begin()),
           static_cast<std::size_t>(std::ranges::upper_bound(t, to) - t.begin())};

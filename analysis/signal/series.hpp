@@ -42,6 +42,9 @@ std::vector<std::complex<double>> at_times(const std::vector<double>& t,
 std::vector<double> running_integral(const std::vector<double>& t,
                                      const std::vector<double>& values);
 
+/// When the last part of the rows begins, a share of their time.
+double begin_of_last(double share, const std::vector<double>& t);
+
 /// The rows between two times, the first and the one past the last.
 struct Rows {
   std::size_t begin, end;

@@ -11,6 +11,9 @@
 
 namespace pennon::analysis {
 
+/// A flag whose amplitude stays below this, in L, counts as at rest.
+inline constexpr double at_rest = 1e-3;
+
 using Complexes = std::vector<std::complex<double>>;
 
 /// The highest wave kept, or less where the stations resolve less.

@@ -23,19 +23,19 @@ std::string system_message(int error) {
 // Writes and removes a file in the folder; returns the system's error number, or 0.
 int probe(const std::filesystem::path& folder) {
   const std::string name = (folder / fmt::format(".probe-{}", getpid())).string();
-  const int file = open(name.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0600);
+  const int file = ::open(name.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0600);
   if (file < 0) return errno;
   constexpr std::array<char, 4096> block{};
   int error = 0;
   for (std::size_t written = 0; written < probe_bytes && error == 0; written += block.size()) {
-    const ssize_t count = write(file, block.data(), block.size());
+    const ssize_t count = ::write(file, block.data(), block.size());
     if (count < 0)
       error = errno;
     else if (static_cast<std::size_t>(count) < block.size())
       error = ENOSPC;
   }
-  if (close(file) != 0 && error == 0) error = errno;
-  unlink(name.c_str());
+  if (::close(file) != 0 && error == 0) error = errno;
+  ::unlink(name.c_str());
   return error;
 }
 

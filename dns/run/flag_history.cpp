@@ -22,16 +22,17 @@ void write_rows(const FlagHistory& history, hdf5::Writer& file) {
              attributes_of(columns_of_history()));
 }
 
-struct Quantity {
+struct ShapeQuantity {
   const char* name;
   const char* meaning;
 };
-constexpr std::array<Quantity, 3> velocities = {{{"v_x", "velocity along x of each node, in V"},
-                                                 {"v_y", "velocity along y of each node, in V"},
-                                                 {"v_z", "velocity along z of each node, in V"}}};
-constexpr std::array<Quantity, 3> strains = {{{"e_1", "strain along the chord of each cell"},
-                                              {"e_2", "strain along the span of each cell"},
-                                              {"shear", "x_1.x_2 of each cell"}}};
+constexpr std::array<ShapeQuantity, 3> velocities = {
+    {{"v_x", "velocity along x of each node, in V"},
+     {"v_y", "velocity along y of each node, in V"},
+     {"v_z", "velocity along z of each node, in V"}}};
+constexpr std::array<ShapeQuantity, 3> strains = {{{"e_1", "strain along the chord of each cell"},
+                                                   {"e_2", "strain along the span of each cell"},
+                                                   {"shear", "x_1.x_2 of each cell"}}};
 
 std::string array_name(const char* quantity, std::size_t shape) {
   return fmt::format("/{}/{:06}", quantity, shape);
@@ -46,7 +47,7 @@ std::vector<xdmf::Grid> write_arrays(const FlagShapes& shapes, hdf5::Writer& fil
   const hdf5::Shape cells = {std::max<hsize_t>(shapes.rows - 1, 1), shapes.columns - 1};
   std::vector<xdmf::Grid> series;
   for (std::size_t s = 0; s < shapes.times.size(); ++s) {
-    const auto write = [&](const Quantity& quantity, const hdf5::Shape& shape,
+    const auto write = [&](const ShapeQuantity& quantity, const hdf5::Shape& shape,
                            const std::vector<double>& values) {
       const std::string array = array_name(quantity.name, s);
       file.write(array, shape, values, {{"meaning", quantity.meaning}});
@@ -185,7 +186,7 @@ FlagShapes read_shapes(const hdf5::Reader& file) {
     shapes.rows = positions.shape[0];
     shapes.columns = positions.shape[1];
     shapes.positions.push_back(std::move(positions.values));
-    const auto read = [&](const std::array<Quantity, 3>& quantities) {
+    const auto read = [&](const std::array<ShapeQuantity, 3>& quantities) {
       std::array<std::vector<double>, 3> values;
       for (std::size_t k = 0; k < 3; ++k)
         if (const std::string array = array_name(quantities[k].name, s); file.contains(array))

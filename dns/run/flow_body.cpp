@@ -85,8 +85,8 @@ class CoupledBody : public FlowBody {
       history.trailing_edge.insert(history.trailing_edge.end(),
                                    {dim == 3 ? end[0] : 0.0, end[dim - 2], end[dim - 1]});
     }
-    constexpr std::size_t z_column = 2;
-    history.rows.back()[z_column] = state_.flag.x(dim - 1, mesh.chord_nodes() - 1);
+    constexpr std::size_t trailing_edge_column = 2;
+    history.rows.back()[trailing_edge_column] = state_.flag.x(dim - 1, mesh.chord_nodes() - 1);
   }
 
   void add_shape(FluidHistory& history) const override {

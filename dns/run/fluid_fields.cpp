@@ -18,7 +18,7 @@ std::vector<double> cells_of(const Field<double>& f) {
   return values;
 }
 
-struct Quantity {
+struct FieldQuantity {
   const char* name;
   const char* meaning;
   bool needs_three_components, needs_span;
@@ -29,7 +29,7 @@ const Field<double>* unless_empty(const Field<double>& field) {
   return field.empty() ? nullptr : &field;
 }
 
-constexpr Quantity quantities[] = {
+constexpr FieldQuantity quantities[] = {
     {"v", "velocity along y, in V", false, false,
      [](const FluidState& state, const Vorticity&) { return &state.u[along_y]; }},
     {"w", "velocity along z, in V", false, false,
@@ -49,7 +49,7 @@ constexpr Quantity quantities[] = {
     {"omega_s", "size of (omega_y, omega_z), in V/L", false, true,
      [](const FluidState&, const Vorticity& omega) { return unless_empty(omega.in_plane); }}};
 
-std::string array_name(const Quantity& quantity) {
+std::string array_name(const FieldQuantity& quantity) {
   return std::string("/") + quantity.name;
 }
 
@@ -110,7 +110,7 @@ void write_fields(const Fluid& fluid, const FluidState& state, const std::filesy
   if (file) file->write("/points", shapes.points, points, {{"meaning", points_meaning(fluid)}});
 
   const Vorticity omega = vorticity(fluid, state);
-  for (const Quantity& quantity : quantities) {
+  for (const FieldQuantity& quantity : quantities) {
     const Field<double>* field = quantity.of(state, omega);
     if (!field) continue;
     const std::vector<double> values = ranks::gather(cells_of(*field));
@@ -124,7 +124,7 @@ xdmf::Grid described_fields(const Fluid& fluid, double t, const std::string& fil
   const Shapes shapes(fluid);
   xdmf::Grid grid{t, shapes.nodes, {file, "/points", shapes.points}, {}};
   const bool has_span = fluid.span().has_span();
-  for (const Quantity& quantity : quantities) {
+  for (const FieldQuantity& quantity : quantities) {
     if (quantity.needs_span && !has_span) continue;
     if (quantity.needs_three_components && fluid.components() < 3) continue;
     grid.attributes.push_back(

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "common/errors.hpp"
+#include "common/linear_algebra/svd.hpp"
 #include "modes/normal/gauss_legendre.hpp"
 
 namespace pennon::modes {
@@ -82,7 +84,7 @@ void require_determined(const Eigen::ColPivHouseholderQR<MatrixXd>& factors,
 double condition_number(const Eigen::ColPivHouseholderQR<MatrixXd>& factors) {
   const Eigen::Index count = factors.cols();
   const MatrixXd R = factors.matrixR().topRows(count).triangularView<Eigen::Upper>();
-  const VectorXd singular = Eigen::BDCSVD<MatrixXd>(R).singularValues();
+  const VectorXd singular = singular_values(R);
   return singular[0] / singular[count - 1];
 }
 

@@ -8,7 +8,7 @@
 /// The amplitudes of samples solve a least-squares problem in which each sample is weighted by w.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <span>

@@ -10,8 +10,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int reach = 1;  // of a corner's equations, in rows and columns
-constexpr int period = 2 * reach + 1;
+constexpr int corner_reach = 1;  // of a corner's equations, in rows and columns
+constexpr int corner_period = 2 * corner_reach + 1;
 
 // The linearised equations of the corners within the grid: the moving ones but for the flag's.
 class InnerEquations {
@@ -55,16 +55,17 @@ Eigen::SparseMatrix<double> matrix_of(InnerEquations& equations) {
   const MovingCorners& corners = equations.corners;
   std::vector<Eigen::Triplet<double>> entries;
   const auto read = [&](int by, int j, int i) {
-    for (int at_j = std::max(1, j - reach); at_j < std::min(corners.rows(), j + reach + 1); ++at_j)
-      for (int at_i = std::max(0, i - reach); at_i < std::min(corners.columns(), i + reach + 1);
-           ++at_i)
+    for (int at_j = std::max(1, j - corner_reach);
+         at_j < std::min(corners.rows(), j + corner_reach + 1); ++at_j)
+      for (int at_i = std::max(0, i - corner_reach);
+           at_i < std::min(corners.columns(), i + corner_reach + 1); ++at_i)
         for (const int of : {MovingCorners::along_y, MovingCorners::along_z})
           if (!corners.is_void(of, at_i))
             entries.emplace_back(equations.index(of, at_j, at_i), corners.index(by, j, i),
                                  equations.derivative(of, at_j, at_i));
   };
   corners.for_each_step(
-      period, [&](const Displacement<Complex>& step) { equations.evaluate(step); }, read);
+      corner_period, [&](const Displacement<Complex>& step) { equations.evaluate(step); }, read);
   for (int j = 1; j < corners.rows(); ++j)
     for (const int i : {0, corners.columns() - 1})
       entries.emplace_back(equations.index(MovingCorners::along_y, j, i),

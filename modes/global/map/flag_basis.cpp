@@ -1,6 +1,6 @@
 #include "modes/global/map/flag_basis.hpp"
 
-#include <Eigen/SVD>
+#include "common/linear_algebra/svd.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -19,10 +19,9 @@ FlagBasis::FlagBasis(const Eigen::VectorXd& mass, const std::vector<Eigen::Vecto
   Eigen::MatrixXcd all(mass.size(), static_cast<Index>(shapes.size()));
   for (std::size_t i = 0; i < shapes.size(); ++i)
     all.col(static_cast<Index>(i)) = root.cwiseProduct(shapes[i]).normalized();
-  const Eigen::BDCSVD<Eigen::MatrixXcd> svd(all, Eigen::ComputeThinU);
-  const Eigen::VectorXd& sizes = svd.singularValues();
-  const Index kept = (sizes.array() > tolerance * sizes[0]).count();
-  V_ = root.cwiseInverse().asDiagonal() * svd.matrixU().leftCols(kept);
+  const auto [U, sigma, V] = thin_svd(all);
+  const Index kept = (sigma.array() > tolerance * sigma[0]).count();
+  V_ = root.cwiseInverse().asDiagonal() * U.leftCols(kept);
 }
 
 void FlagBasis::add(const Eigen::VectorXcd& shape) {

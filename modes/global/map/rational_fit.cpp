@@ -1,9 +1,10 @@
 #include "modes/global/map/rational_fit.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <numeric>
+
+#include "common/linear_algebra/svd.hpp"
 
 namespace pennon::modes::global {
 namespace {
@@ -78,16 +79,13 @@ class Fit {
     }
     const Index columns = loewner.cols();
     if (loewner.rows() < columns) {
-      weights =
-          Eigen::BDCSVD<Eigen::MatrixXcd>(loewner, Eigen::ComputeFullV).matrixV().col(columns - 1);
+      weights = full_svd(loewner).V.col(columns - 1);
       return;
     }
     const Eigen::HouseholderQR<Eigen::MatrixXcd> factors(loewner);
     const Eigen::MatrixXcd triangle =
         factors.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
-    weights = Eigen::JacobiSVD<Eigen::MatrixXcd>(triangle, Eigen::ComputeFullV)
-                  .matrixV()
-                  .col(columns - 1);
+    weights = thin_svd(triangle).V.col(columns - 1);
   }
 
   Eigen::VectorXcd value_at(Index i) const {

@@ -143,11 +143,11 @@ TEST_F(DnsFluid, AFoldedGridStopsTheRunWithItsTime) {
 }
 
 TEST_F(DnsFluid, SaysWhereTheGridHasBecomeCoarseAtTheFlag) {
-  const auto said = [&](double amplitude) {
+  const auto said = [&](double of_wave) {
     const std::string file = case_file(fmt::format(
         "[dns]\nn_rho = 16\nn_theta = 64\nwall_spacing = 0.05\nR = 4\ndt = 0.01\nt_end = 0.02\n"
         "[dns.motion]\nkind = \"wave\"\namplitude = {}\nk_y = 12.566\n",
-        amplitude));
+        of_wave));
     const Outcome outcome = pennon({"dns", file, "--output", results()});
     EXPECT_EQ(outcome.status, done) << outcome.err;
     return outcome.out;

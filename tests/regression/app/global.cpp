@@ -336,15 +336,16 @@ class StartAsAGlobalMode : public ModesGlobal {
                      const std::string& more = "") {
     const std::string file = run_file(target, flag, more);
     const CsvTable modes(results("modes") + "/global_modes.csv");
-    const double sigma = modes.numbers("growth").front(), omega = modes.numbers("omega").front();
+    const double sigma_of_mode = modes.numbers("growth").front(),
+                 omega_of_mode = modes.numbers("omega").front();
     const Outcome run = pennon({"dns", file, "--quiet", "--set", "dns.t_end=5", "--set",
                                 "dns.n_x=4", "--output", results("run")});
     ASSERT_EQ(run.status, done) << run.err;
     const Outcome said = pennon({"analyze", results("run"), "--json"});
     const json growth = json::parse(said.out).at("analyze").at("growth");
-    const double size = std::hypot(sigma, omega);
-    EXPECT_NEAR(growth.at("sigma"), sigma, 3e-3 * size);
-    EXPECT_NEAR(growth.at("omega"), omega, 3e-3 * size);
+    const double size = std::hypot(sigma_of_mode, omega_of_mode);
+    EXPECT_NEAR(growth.at("sigma"), sigma_of_mode, 3e-3 * size);
+    EXPECT_NEAR(growth.at("omega"), omega_of_mode, 3e-3 * size);
   }
   void expect_fault(const std::string& file, const std::string& setting,
                     const std::string& sentence) {

@@ -20,7 +20,7 @@
 namespace pennon::lsa {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 const Point paper{0.125, 1000, 1.0, pi, 0.3, 1e-4, 0};

@@ -16,7 +16,7 @@
 namespace pennon::lsa {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double quadrature = 1e-10;  // ten times the tolerance of minami()
 
 double plate(MinamiMode mode, double k_x, double k_y = pi) {

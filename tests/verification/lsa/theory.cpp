@@ -17,7 +17,7 @@
 namespace pennon::lsa {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
 
 // The flag of Table 1 with k_y = pi; no span: two dimensions.

@@ -13,7 +13,7 @@ namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const EdgeConditions cantilever{Edge::clamped, Edge::free};
 const EdgeConditions pendulum{Edge::pinned, Edge::free};

@@ -14,7 +14,7 @@ namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The cantilever whose tip has the angle `tip` under a transverse load that keeps its direction
 // (Bisshopp & Drucker 1945): load P L^2/EI and tip position by elliptic integrals.

@@ -14,7 +14,7 @@ namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Flag<3> square_plate(int N, Edge edge, const FlagMaterial& material) {
   return {FlagMesh(uniform_chord(N), N, 1.0, all_edges(edge)), material};

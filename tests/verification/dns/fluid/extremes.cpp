@@ -12,7 +12,7 @@ namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Outcome {
   std::string sentence;  // of the error; empty where the run came to its end

@@ -12,7 +12,7 @@ namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A wave of slope to 1 that also moves in its plane, and changes along the span of length 1.
 PointMotion wave(double k_x) {

@@ -11,7 +11,7 @@ namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 FluidCase plate(double Re, int n_rho, double R, double U = 0) {
   FluidCase settings;

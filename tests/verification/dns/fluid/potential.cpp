@@ -14,7 +14,7 @@ namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 FluidCase plate(int n_rho, double Re) {
   FluidCase settings;
