@@ -54,6 +54,21 @@ std::string command_line(int argc, char** argv) {
   return text;
 }
 
+// What the documentation and the installation are made of.
+void add_commands_without_case(CLI::App& app) {
+  CLI::App* reference = app.add_subcommand("reference", "every key of a case file, in Markdown");
+  reference->footer("Example: pennon reference > docs/case-file.md");
+  reference->callback([] { app::run_reference(); });
+
+  // For the installation: without a group, so that help does not show them.
+  app.add_subcommand("completion", "the completion of these commands by bash")
+      ->group("")
+      ->callback([&app] { fmt::print("{}", app::bash_completion(app)); });
+  app.add_subcommand("manual", "the manual page")->group("")->callback([&app] {
+    fmt::print("{}", app::manual_page(app, version()));
+  });
+}
+
 int run(int argc, char** argv) {
   CLI::App app("pennon: the flutter of flags and thin membranes in a stream", "pennon");
   app.set_version_flag("--version", version_text());
@@ -106,17 +121,7 @@ int run(int argc, char** argv) {
   plot->footer("Example: pennon plot results/C2D/map.h5");
   plot->callback([&] { app::run_plot(files, options.quiet); });
 
-  CLI::App* reference = app.add_subcommand("reference", "every key of a case file, in Markdown");
-  reference->footer("Example: pennon reference > docs/case-file.md");
-  reference->callback([] { app::run_reference(); });
-
-  // For the installation: without a group, so that help does not show them.
-  app.add_subcommand("completion", "the completion of these commands by bash")
-      ->group("")
-      ->callback([&app] { fmt::print("{}", app::bash_completion(app)); });
-  app.add_subcommand("manual", "the manual page")->group("")->callback([&app] {
-    fmt::print("{}", app::manual_page(app, version()));
-  });
+  add_commands_without_case(app);
 
   try {
     app.parse(argc, argv);

@@ -10,6 +10,11 @@ target_compile_options(pennon_options INTERFACE -ffp-contract=off -fno-math-errn
 target_compile_definitions(pennon_options INTERFACE EIGEN_DONT_PARALLELIZE)
 target_include_directories(pennon_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                                     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pennon>)
+if(CMAKE_UNITY_BUILD)
+  # The compiler takes a source that a unity build includes for a header, and warns of classes in it
+  # whose members have types of an anonymous namespace.
+  target_compile_options(pennon_options INTERFACE $<BUILD_INTERFACE:-Wno-subobject-linkage>)
+endif()
 if(PENNON_SANITIZE)
   target_compile_options(pennon_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -225,6 +225,7 @@ void Coupling<dim>::solve_flag(const CoupledState<dim>& state, CoupledStepSummar
                     state.fluid.t, newton.iterations, newton_.last_change()));
   a_ = equation_.mass_factor * (x_ - equation_.inertial);
   summary.flag_iterations += newton.iterations;
+  summary.flag_factorisations += newton.factorisations;
   summary.flag_seconds += watch.seconds();
 }
 

@@ -35,6 +35,7 @@ struct CoupledStepSummary {
   FluidStepSummary fluid;
   int passes = 0;
   int flag_iterations = 0;
+  int flag_factorisations = 0;
   double residual = 0;      ///< of the last pass, as the tolerance has it
   double flag_seconds = 0;  ///< of all passes
 };

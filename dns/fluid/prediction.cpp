@@ -139,19 +139,19 @@ void Prediction::find_right_side(const WallVelocity& wall_velocity, const FluidS
     gradient = scratch_.fields.lease("pressure gradient of the last step");
     find_pressure_gradient(metrics, span_, component, state.p, scratch_, *gradient);
   }
-  const FieldLease balance = scratch_.planes.lease("balance of the velocity's gradient");
+  const FieldLease laplacian = scratch_.planes.lease("Laplacian of the velocity");
   const BackwardDifference& D = problem_.step->D;
   const double drive = problem_.step->drive[component];
   double* to = right;
   for (int plane = 0; plane < extent_.planes; ++plane) {
     extend_outward_for_friction(plane, f);
-    gradient_balance(metrics, plane, f, f_xi.get(), true, *balance);
+    integrated_laplacian(metrics, plane, f, f_xi.get(), true, *laplacian);
     for (int j = 0; j < n_rho; ++j, to += n_theta) {
       const double *now = f.row(plane, j), *last = state.u[component].row(plane, j),
                    *before = state.u_last[component].row(plane, j);
       const auto rate = [&](int i) { return D.derivative(now[i], last[i], before[i]) - drive; };
       const MomentumRow<double> row{metrics.volume.row(plane, j), convected->row(plane, j),
-                                    balance->row(0, j)};
+                                    laplacian->row(0, j)};
       if (gradient) {
         const double* push = gradient->row(plane, j);
         momentum_residual(
@@ -229,20 +229,20 @@ void Prediction::multiply(const Components& components, const double* in, double
     if (f_xi[k]) span_.differentiate(*f[k], *f_xi[k]);
   }
   const FieldLease convected = scratch_.planes.lease("convective derivative of a plane"),
-                   balance = scratch_.planes.lease("balance of the velocity's gradient");
+                   laplacian = scratch_.planes.lease("Laplacian of the velocity");
   const double D_next = problem_.step->D.next;
   for (int plane = 0; plane < extent_.planes; ++plane)
     for (std::size_t k = 0; k < components.count(); ++k) {
       convective_derivative(plane, *problem_.C_s, *problem_.C_t, u_x(), *f[k], f_xi[k].get(),
                             upwinding_, *convected);
       extend_outward_for_friction(plane, *f[k]);
-      gradient_balance(metrics, plane, *f[k], f_xi[k].get(), true, *balance);
+      integrated_laplacian(metrics, plane, *f[k], f_xi[k].get(), true, *laplacian);
       if (f_xi[k]) gradient_flux_along_x(metrics, plane, *f[k], *f_xi[k]);
       double* to = out + k * cells + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
       for (int j = 0; j < n_rho; ++j, to += n_theta) {
         const double* change = f[k]->row(plane, j);
         momentum_residual<double>(
-            n_theta, {metrics.volume.row(plane, j), convected->row(0, j), balance->row(0, j)}, nu,
+            n_theta, {metrics.volume.row(plane, j), convected->row(0, j), laplacian->row(0, j)}, nu,
             [&](int i) { return D_next * change[i]; }, no_term, to);
       }
     }

@@ -32,7 +32,7 @@ void Projection::begin() {
   is_posed_ = false;
   flux_rho_.release();
   flux_theta_.release();
-  right_.release();
+  right_side_.release();
   solution_.release();
 }
 
@@ -66,17 +66,17 @@ void Projection::pose(const FluidStep& step, bool is_start, FluidState& state,
     });
   }
   subtract_outer_gradient(tau, flux_x.get());
-  right_ = scratch_.vectors.lease("divergence of the predicted velocity");
+  right_side_ = scratch_.vectors.lease("divergence of the predicted velocity");
   solution_ = scratch_.vectors.lease("pressure");
   {
     const FieldLease divergence = scratch_.fields.lease("divergence");  // integrated over the cells
     std::ranges::fill(divergence->values(), 0.0);
     for (int plane = 0; plane < extent_.planes; ++plane)
-      add_balance(plane, *flux_rho_, *flux_theta_, *divergence);
-    pack(*divergence, right_->data());
+      add_divergence(plane, *flux_rho_, *flux_theta_, *divergence);
+    pack(*divergence, right_side_->data());
   }
-  if (flux_x) add_flux_along_x(span_, 1, *flux_x, right_->data());
-  for (std::size_t cell = 0; cell < extent_.cells(); ++cell) (*right_)[cell] /= tau;
+  if (flux_x) add_flux_along_x(span_, 1, *flux_x, right_side_->data());
+  for (std::size_t cell = 0; cell < extent_.cells(); ++cell) (*right_side_)[cell] /= tau;
   if (is_start) {
     std::ranges::fill(*solution_, 0.0);
   } else {
@@ -131,7 +131,8 @@ void Projection::impose_wall_velocity(const FluidStep& step, const WallVelocity&
   for (int plane = 0; plane < extent_.planes; ++plane) {
     wall_flux(moving_.metrics(), plane, wall_velocity, through);
     double* flux = flux_rho_->row(plane, 0);
-    double* right = right_->data() + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
+    double* right =
+        right_side_->data() + static_cast<std::size_t>(plane) * extent_.cells_of_plane();
     for (int i = 0; i < extent_.n_theta; ++i) {
       right[i] -= (through[i] - flux[i]) * step.D.next;
       flux[i] = through[i];
@@ -140,7 +141,7 @@ void Projection::impose_wall_velocity(const FluidStep& step, const WallVelocity&
 }
 
 KrylovSummary Projection::solve(double tolerance, Field<double>& p) {
-  const KrylovSummary solved = krylov_.solve(right_->data(), solution_->data(), tolerance);
+  const KrylovSummary solved = krylov_.solve(right_side_->data(), solution_->data(), tolerance);
   unpack(solution_->data(), p);
   return solved;
 }
@@ -148,7 +149,7 @@ KrylovSummary Projection::solve(double tolerance, Field<double>& p) {
 void Projection::finish(const FluidStep& step, const std::vector<Field<double>>& velocity,
                         FluidState& state) {
   const double tau = step.dt_of_pressure();
-  right_.release();
+  right_side_.release();
   solution_.release();
   extend_pressure(state.p, 0);  // pose() has taken the outer pressure's part
   {
@@ -195,7 +196,7 @@ void Projection::extend_pressure(Field<double>& p, double share) const {
 // The integral of lap p over each cell, p = 0 at the outer boundary, no flux through the flag.
 void Projection::multiply(const double* in, double* out) {
   const FieldLease p = scratch_.fields.lease("pressure in the operator"),
-                   balance = scratch_.planes.lease("balance of the pressure's gradient");
+                   laplacian = scratch_.planes.lease("Laplacian of the pressure");
   FieldLease p_xi;
   unpack(in, *p);
   extend_pressure(*p, 0);
@@ -205,10 +206,10 @@ void Projection::multiply(const double* in, double* out) {
   }
   double* to = out;
   for (int plane = 0; plane < extent_.planes; ++plane) {
-    gradient_balance(moving_.metrics(), plane, *p, p_xi.get(), false, *balance);
+    integrated_laplacian(moving_.metrics(), plane, *p, p_xi.get(), false, *laplacian);
     if (p_xi) gradient_flux_along_x(moving_.metrics(), plane, *p, *p_xi);
     for (int j = 0; j < extent_.n_rho; ++j)
-      to = std::copy_n(balance->row(0, j), extent_.n_theta, to);
+      to = std::copy_n(laplacian->row(0, j), extent_.n_theta, to);
   }
   if (p_xi) add_flux_along_x(span_, 1, *p_xi, out);
 }

@@ -70,7 +70,7 @@ class Projection {
   std::vector<double> outer_pressure_;
   bool is_posed_ = false;
   FieldLease flux_rho_, flux_theta_;
-  VectorLease right_, solution_;  // packed, from pose() to finish()
+  VectorLease right_side_, solution_;  // packed, from pose() to finish()
 };
 
 }  // namespace pennon::dns

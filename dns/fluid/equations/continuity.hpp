@@ -1,6 +1,6 @@
 /// The equation of continuity on a plane, for the fluxes through the faces:
 ///
-///   R = balance of area . (v + tau grad p) - tau area . grad p,
+///   R = sum of area . (v + tau grad p) - tau area . grad p over the faces,
 ///
 /// the first gradient taken at the cells and averaged to the faces, the second one at the faces:
 /// the difference of the two couples neighbouring cells, tau = dt' the length with which a step

@@ -1,7 +1,7 @@
 /// The momentum equation (3.2) of one component f of the velocity on a plane, integrated over the
 /// cells:
 ///
-///   R = V [rate + (C . grad) f + grad p] - 1/Re (balance of grad f),     C = v - v_g,
+///   R = V [rate + (C . grad) f + grad p] - 1/Re (integral of lap f),     C = v - v_g,
 ///
 /// V the cells' volumes, `rate` what the time derivative adds. The part along x of the friction's
 /// divergence, d/dx (V/Re df/dx), is left to whoever knows how the fields vary along x.
@@ -99,7 +99,7 @@ void pressure_gradient(const Metrics<Scalar>& metrics, int plane, std::size_t co
 /// The terms of R in a row of cells that are there whatever the caller solves for.
 template <class Scalar>
 struct MomentumRow {
-  const Scalar *volume, *convected, *friction_balance;
+  const Scalar *volume, *convected, *laplacian;
 };
 
 /// R of a row of n cells; rate(i) and push(i), the pressure's gradient, are those of cell i.
@@ -107,7 +107,7 @@ template <class Scalar, class Rate, class Push>
 void momentum_residual(int n, const MomentumRow<Scalar>& row, double nu, const Rate& rate,
                        const Push& push, Scalar* R) {
   for (int i = 0; i < n; ++i)
-    R[i] = row.volume[i] * (rate(i) + row.convected[i] + push(i)) - nu * row.friction_balance[i];
+    R[i] = row.volume[i] * (rate(i) + row.convected[i] + push(i)) - nu * row.laplacian[i];
 }
 
 /// A term that is not there.

@@ -80,10 +80,11 @@ void gradient_flux(const Metrics<Scalar>& metrics, int plane, const Field<Scalar
     gradient_flux_across_theta(metrics, plane, j, f, f_xi, across_theta.row(plane, j));
 }
 
-/// Adds the sum of the fluxes out of each cell of a plane to `sum` (at the cells).
+/// Adds the sum of the fluxes out of each cell of a plane, the integral of their divergence, to
+/// `sum` (at the cells).
 template <class Scalar>
-void add_balance(int plane, const Field<Scalar>& across_rho, const Field<Scalar>& across_theta,
-                 Field<Scalar>& sum) {
+void add_divergence(int plane, const Field<Scalar>& across_rho, const Field<Scalar>& across_theta,
+                    Field<Scalar>& sum) {
   const int n_rho = sum.extent().n_rho, n_theta = sum.extent().n_theta;
   for (int j = 0; j < n_rho; ++j) {
     const Scalar *below = across_rho.row(plane, j), *above = across_rho.row(plane, j + 1);
@@ -93,15 +94,16 @@ void add_balance(int plane, const Field<Scalar>& across_rho, const Field<Scalar>
   }
 }
 
-/// The balance of gradient_flux() over the cells of a plane, the integral of lap f without its part
-/// along x, into the first plane of `balance`. Without the wall's flux: nothing passes through the
-/// flag. Works in three rows of balance's ghosts.
+/// The integral of lap f over each cell of a plane, as the sum of gradient_flux() out of the cell
+/// and so without the part along x, into the first plane of `laplacian`. Without the wall's flux
+/// nothing passes through the flag. Works in three rows of the ghosts of `laplacian`.
 template <class Scalar>
-void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
-                      const Field<Scalar>* f_xi, bool with_wall_flux, Field<Scalar>& balance) {
+void integrated_laplacian(const Metrics<Scalar>& metrics, int plane, const Field<Scalar>& f,
+                          const Field<Scalar>* f_xi, bool with_wall_flux,
+                          Field<Scalar>& laplacian) {
   const int n_rho = f.extent().n_rho, n_theta = f.extent().n_theta;
-  Scalar *inward = balance.row(0, n_rho), *outward = balance.row(0, -1);
-  Scalar* theta = balance.row(0, -2);
+  Scalar *inward = laplacian.row(0, n_rho), *outward = laplacian.row(0, -1);
+  Scalar* theta = laplacian.row(0, -2);
   if (with_wall_flux)
     gradient_flux_across_rho(metrics, plane, 0, f, f_xi, inward);
   else
@@ -109,7 +111,7 @@ void gradient_balance(const Metrics<Scalar>& metrics, int plane, const Field<Sca
   for (int j = 0; j < n_rho; ++j) {
     gradient_flux_across_rho(metrics, plane, j + 1, f, f_xi, outward);
     gradient_flux_across_theta(metrics, plane, j, f, f_xi, theta);
-    Scalar* out = balance.row(0, j);
+    Scalar* out = laplacian.row(0, j);
     for (int i = 0; i < n_theta; ++i) out[i] = outward[i] - inward[i] + theta[i + 1] - theta[i];
     std::swap(inward, outward);
   }

@@ -31,7 +31,7 @@ PlaneEquations<Scalar>::PlaneEquations(const OGrid& grid, const PlaneParameters&
       C_s_(extent_),
       C_t_(extent_),
       convected_(extent_),
-      balance_(extent_),
+      laplacian_(extent_),
       flux_rho_(extent_),
       flux_theta_(extent_),
       across_rho_(extent_),
@@ -66,12 +66,12 @@ void PlaneEquations<Scalar>::momentum(std::size_t c, PlaneFlow<Scalar>& q,
   dns::convective_derivative(0, C_s_, C_t_, has_span() ? &q.u[along_x] : nullptr, f, f_xi,
                              parameters_.upwinding, convected_);
   dns::extend_outward_for_friction(0, f);
-  dns::gradient_balance<Scalar>(metrics_, 0, f, nullptr, true, balance_);
+  dns::integrated_laplacian<Scalar>(metrics_, 0, f, nullptr, true, laplacian_);
   for (int j = 0; j < extent_.n_rho; ++j) {
     const Scalar* push = gradient_[c].row(0, j);
     dns::momentum_residual<Scalar>(
-        extent_.n_theta, {metrics_.volume.row(0, j), convected_.row(0, j), balance_.row(0, j)}, nu,
-        dns::no_term, [&](int i) { return push[i]; }, R.row(0, j));
+        extent_.n_theta, {metrics_.volume.row(0, j), convected_.row(0, j), laplacian_.row(0, j)},
+        nu, dns::no_term, [&](int i) { return push[i]; }, R.row(0, j));
   }
   dns::wall_friction_of<Scalar>(metrics_, 0, nu, f, nullptr, friction_[c].data());
 }
@@ -93,7 +93,7 @@ void PlaneEquations<Scalar>::continuity(const PlaneFlow<Scalar>& q, Field<Scalar
   dns::gradient_flux<Scalar>(metrics_, 0, q.p, nullptr, across_rho_, across_theta_);
   dns::subtract_pressure_flux(0, tau, across_rho_, across_theta_, flux_rho_, flux_theta_);
   std::ranges::fill(R.values(), Scalar(0));
-  dns::add_balance(0, flux_rho_, flux_theta_, R);
+  dns::add_divergence(0, flux_rho_, flux_theta_, R);
 }
 
 template <class Scalar>

@@ -3,8 +3,8 @@
 ///
 ///   V dv/dt + R_v - dX_v/dx = 0,     R_p - dX_p/dx = 0,
 ///
-///   R_v = V [(C . grad) v + grad p] - 1/Re (balance of grad v),   C = v - v_g,
-///   R_p = balance of the fluxes area . (v + tau grad p) - tau area . grad p through the faces,
+///   R_v = V [(C . grad) v + grad p] - 1/Re (integral of lap v),   C = v - v_g,
+///   R_p = sum of the fluxes area . (v + tau grad p) - tau area . grad p out of the cell,
 ///   X_v = V/Re dv/dx,   X_p = -V u,
 ///
 /// V the cells' volumes, tau = 2/3 dt the length with which the steps of the simulation leave the
@@ -109,7 +109,7 @@ class PlaneEquations {
   Field<Scalar> grid_velocity_y_, grid_velocity_z_;
   std::vector<std::vector<Scalar>> wall_velocity_;  // by component
   std::vector<Scalar> outer_pressure_, wall_pressure_;
-  Field<Scalar> C_s_, C_t_, convected_, balance_, flux_rho_, flux_theta_, across_rho_,
+  Field<Scalar> C_s_, C_t_, convected_, laplacian_, flux_rho_, flux_theta_, across_rho_,
       across_theta_;
   std::vector<Field<Scalar>> gradient_;        // of the pressure, then v + tau grad p
   std::vector<std::vector<Scalar>> friction_;  // of the wall's faces, by component

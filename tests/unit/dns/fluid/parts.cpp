@@ -208,11 +208,11 @@ TEST(Stencils, ComplexStepsGiveTheDerivativeOfConvectionAndFriction) {
   for (Field<double>* field : {&f, &g})
     for (double& value : field->values()) value = normal(random);
 
-  // f + step g convected by itself, and the balance of its gradient, on the grid moved by step.
+  // f + step g convected by itself, and its integrated Laplacian, on the grid moved by step.
   const auto evaluate = [&](auto step) {
     using Scalar = decltype(step);
     Displacement<Scalar> moved(extent);
-    Field<Scalar> sum(extent), convected(extent), balance(extent), C(extent);
+    Field<Scalar> sum(extent), convected(extent), laplacian(extent), C(extent);
     const auto add = [&](const Field<double>& a, const Field<double>& b, Field<Scalar>& result) {
       for (std::size_t k = 0; k < a.values().size(); ++k)
         result.values()[k] = a.values()[k] + step * b.values()[k];
@@ -225,12 +225,13 @@ TEST(Stencils, ComplexStepsGiveTheDerivativeOfConvectionAndFriction) {
     for (std::size_t k = 0; k < C.values().size(); ++k)
       C.values()[k] = sum.values()[k] * metrics.s_y.values()[k];
     convection(0, C, C, sum, upwinding::kawamura_kuwahara, convected);
-    gradient_balance(metrics, 0, sum, static_cast<const Field<Scalar>*>(nullptr), true, balance);
+    integrated_laplacian(metrics, 0, sum, static_cast<const Field<Scalar>*>(nullptr), true,
+                         laplacian);
     std::vector<Scalar> all;
     for (int j = 0; j < extent.n_rho; ++j)
       for (int i = 0; i < extent.n_theta; ++i) {
         all.push_back(convected.row(0, j)[i]);
-        all.push_back(balance.row(0, j)[i]);
+        all.push_back(laplacian.row(0, j)[i]);
       }
     return all;
   };

@@ -32,20 +32,21 @@ std::string faults_of(const std::string& text, bool is_asked_for) {
   return {};
 }
 
-const std::string plane = "[flag]\nmu = 0.1\n", spatial = plane + "gamma = 2\n";
+const std::string in_plane = "[flag]\nmu = 0.1\n", spatial = in_plane + "gamma = 2\n";
 
 TEST(DnsSettings, AreCheckedWithoutTheirTableWhereTheSimulationIsAskedFor) {
-  const std::string sideways = plane + "gravity = [1, 0, 0]\n";
+  const std::string sideways = in_plane + "gravity = [1, 0, 0]\n";
   EXPECT_THAT(faults_of(sideways, true), HasSubstr("flag.gravity acts along x"));
   EXPECT_EQ(faults_of(sideways, false), "");
   EXPECT_THAT(faults_of(sideways + "[dns]\n", false), HasSubstr("flag.gravity acts along x"));
 }
 
 TEST(DnsSettings, RefuseMoreStepsThanARunHas) {
-  EXPECT_THAT(faults_of(plane + "[dns]\ndt = 1e-10\n", true),
+  EXPECT_THAT(faults_of(in_plane + "[dns]\ndt = 1e-10\n", true),
               AllOf(StartsWith("flag.toml:4: dns.dt = 1e-10"), HasSubstr("1e+10 steps")));
-  EXPECT_EQ(faults_of(plane + "K_B = 1\n[dns]\ndt = 1e-10\n[dns.flag]\nequilibrium = true\n", true),
-            "");
+  EXPECT_EQ(
+      faults_of(in_plane + "K_B = 1\n[dns]\ndt = 1e-10\n[dns.flag]\nequilibrium = true\n", true),
+      "");
 }
 
 // A convergence study puts its own numbers in the place of those that a case gives.
@@ -54,14 +55,14 @@ TEST(DnsSettings, RefuseConvergenceStudiesOfFlagsThatAreTooLarge) {
       spatial + "K_B = 1\n[dns.flag]\nequilibrium = true\n[dns.convergence]\nn = [10, 2000]\n";
   EXPECT_THAT(faults_of(grids, true),
               AllOf(StartsWith("flag.toml:8: dns.convergence.n = 2000"), HasSubstr("4e+06 nodes")));
-  EXPECT_THAT(faults_of(plane + "[dns.convergence]\ndt = [0.1, 1e-10]\n", true),
+  EXPECT_THAT(faults_of(in_plane + "[dns.convergence]\ndt = [0.1, 1e-10]\n", true),
               AllOf(StartsWith("flag.toml:4: dns.convergence.dt = 1e-10"), HasSubstr("steps")));
 }
 
 TEST(DnsSettings, RefuseAModeAlongASpanThatIsNotThere) {
-  const std::string moving = plane + "[flow]\nRe = 100\n[dns.motion]\nkind = \"mode\"\nn = 1\n";
+  const std::string moving = in_plane + "[flow]\nRe = 100\n[dns.motion]\nkind = \"mode\"\nn = 1\n";
   EXPECT_THAT(faults_of(moving, true), HasSubstr("dns.motion.n varies along the span"));
-  EXPECT_THAT(faults_of(plane + "[dns.initial]\nmode_amplitude = 0.1\nn = 1\n", true),
+  EXPECT_THAT(faults_of(in_plane + "[dns.initial]\nmode_amplitude = 0.1\nn = 1\n", true),
               HasSubstr("dns.initial.n varies along the span"));
 }
 

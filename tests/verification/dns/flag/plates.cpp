@@ -68,7 +68,7 @@ TEST(ClampedPlate, StiffensAsVonKarmanTheorySays) {
   constexpr double h = 0.005;  // thin, so that slopes are small as the theory assumes
   const FlagMaterial material = plate_of_thickness(h, nu_s);
   const double E = material.K_S * (1 - nu_s * nu_s) / h;
-  for (const double load : {17.79, 63.4, 184.0}) {
+  for (const double load : {17.79, 184.0}) {
     const double q = load * E * std::pow(h, 4);
     const double theory = RitzPlate(5, 1, material.K_S, nu_s).deflection(q);
     EXPECT_NEAR(extrapolated_deflection(material, q) / theory, 1, 1e-3) << load;

@@ -97,31 +97,31 @@ struct Deformed {  // a fluid about a bent flag, its metrics at hand
 TEST(Stencils, TheDivergencesOfAllCellsSumToTheFluxThroughTheBoundary) {
   Deformed bent;
   const Extent& extent = bent.extent();
-  Field<double> across_rho = noise(extent, 1), across_theta = noise(extent, 2), balance(extent);
+  Field<double> across_rho = noise(extent, 1), across_theta = noise(extent, 2), divergence(extent);
   double boundary = 0, sum = 0;
   for (int j = 0; j < extent.n_rho; ++j)
     across_theta.row(0, j)[extent.n_theta] = across_theta.row(0, j)[0];
-  add_balance(0, across_rho, across_theta, balance);
+  add_divergence(0, across_rho, across_theta, divergence);
   for (int i = 0; i < extent.n_theta; ++i)
     boundary += across_rho.row(0, extent.n_rho)[i] - across_rho.row(0, 0)[i];
   for (int j = 0; j < extent.n_rho; ++j)
-    for (int i = 0; i < extent.n_theta; ++i) sum += balance.row(0, j)[i];
+    for (int i = 0; i < extent.n_theta; ++i) sum += divergence.row(0, j)[i];
   EXPECT_NEAR(sum, boundary, rounding);
 }
 
-// gradient_balance() is the balance of gradient_flux(), both written out for speed.
-TEST(Stencils, TheLaplacianIsTheBalanceOfTheGradientsFluxes) {
+// integrated_laplacian() is the divergence of gradient_flux(), both written out for speed.
+TEST(Stencils, TheLaplacianIsTheDivergenceOfTheGradientsFluxes) {
   Deformed bent;
   const Extent& extent = bent.extent();
-  Field<double> f = noise(extent, 3), across_rho(extent), across_theta(extent), balance(extent),
+  Field<double> f = noise(extent, 3), across_rho(extent), across_theta(extent), divergence(extent),
                 direct(extent);
   f.wrap_theta(0, -2, extent.n_rho + 2);
   gradient_flux<double>(bent.metrics(), 0, f, nullptr, across_rho, across_theta);
-  add_balance(0, across_rho, across_theta, balance);
-  gradient_balance<double>(bent.metrics(), 0, f, nullptr, true, direct);
+  add_divergence(0, across_rho, across_theta, divergence);
+  integrated_laplacian<double>(bent.metrics(), 0, f, nullptr, true, direct);
   for (int j = 0; j < extent.n_rho; ++j)
     for (int i = 0; i < extent.n_theta; ++i)
-      ASSERT_NEAR(balance.row(0, j)[i], direct.row(0, j)[i], 1e-9) << j << ' ' << i;
+      ASSERT_NEAR(divergence.row(0, j)[i], direct.row(0, j)[i], 1e-9) << j << ' ' << i;
 }
 
 // The cells' areas close, and add up to the area between the flag and the outer boundary.

@@ -9,7 +9,7 @@
 namespace pennon::modes::global {
 namespace {
 
-constexpr double dt = 0.02;
+constexpr double time_step = 0.02;
 
 test::FluidCase small_case(double Re) {
   test::FluidCase small;
@@ -23,13 +23,13 @@ test::FluidCase small_case(double Re) {
 }
 
 PlaneParameters parameters_of(const test::FluidCase& simulation) {
-  return {.Re = simulation.parameters.Re, .U = 0, .tau = 2 * dt / 3};
+  return {.Re = simulation.parameters.Re, .U = 0, .tau = 2 * time_step / 3};
 }
 
 TEST(GlobalBaseFlow, IsTheStateAtWhichAStepOfTheSimulationChangesNothing) {
   const test::FluidCase simulation = small_case(100);
   test::FluidRun run(simulation);
-  run.run_to(80, dt);
+  run.run_to(80, time_step);
   const dns::FluidState& state = run.state();
   PlaneFlow<double> q(state.p.extent(), 2);
   q.u = {state.u[0], state.u[1]};
@@ -45,8 +45,8 @@ TEST(GlobalBaseFlow, IsTheStateAtWhichAStepOfTheSimulationChangesNothing) {
 
 TEST(GlobalBaseFlow, KnowsTheStepOfTheSimulation) {
   const dns::OGrid grid(small_case(100).grid);
-  const BaseFlow with = base_flow(grid, {.Re = 100, .tau = 2 * dt / 3}, 2);
-  const BaseFlow without = base_flow(grid, {.Re = 100, .tau = 2e-3 * dt}, 2);
+  const BaseFlow with = base_flow(grid, {.Re = 100, .tau = 2 * time_step / 3}, 2);
+  const BaseFlow without = base_flow(grid, {.Re = 100, .tau = 2e-3 * time_step}, 2);
   EXPECT_GT(std::abs(with.drag_coefficient - without.drag_coefficient), 1e-6);
 }
 
