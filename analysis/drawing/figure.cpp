@@ -7,7 +7,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "analysis/drawing/frame.hpp"
@@ -15,6 +14,7 @@
 #include "analysis/drawing/key_place.hpp"
 #include "analysis/drawing/picture_style.hpp"
 #include "analysis/drawing/raster.hpp"
+#include "common/errors.hpp"
 
 namespace pennon::analysis {
 namespace {
@@ -31,15 +31,12 @@ std::string title_of(const std::string& label) {
   return label.empty() ? "notitle" : "title " + quoted_text(label);
 }
 
-// What is drawn, in the script's language: the plot command's items and, after it, their data.
+// What is drawn, in the script's language: the plot command's items, and their data.
 class PlotItems {
  public:
-  // An item whose data are these doubles.
-  void add(const std::string& item, const std::vector<double>& numbers) {
-    items_ += (items_.empty() ? "plot " : ", ") + item;
-    const std::size_t begin = data_.size();
-    data_.resize(begin + numbers.size() * sizeof(double));
-    std::memcpy(data_.data() + begin, numbers.data(), numbers.size() * sizeof(double));
+  // An item of these numbers; `how` is what follows their name in the plot command.
+  void add(const std::string& how, const std::vector<double>& numbers) {
+    items_ += (items_.empty() ? "plot " : ", ") + data_.add(numbers) + ' ' + how;
   }
   // An item of points (x, y).
   void add_points(const std::string& style, const std::vector<double>& x,
@@ -48,14 +45,14 @@ class PlotItems {
     if (x.empty()) return;
     std::vector<double> pairs;
     for (std::size_t i = 0; i < x.size(); ++i) pairs.insert(pairs.end(), {x[i], y[i]});
-    add(fmt::format("'-' binary record=({}) format='%double%double' using 1:2 {}", x.size(), style),
-        pairs);
+    add(fmt::format("record=({}) format='%double%double' using 1:2 {}", x.size(), style), pairs);
   }
-  std::string text() const { return (items_.empty() ? "plot NaN notitle" : items_) + '\n' + data_; }
+  std::string command() const { return (items_.empty() ? "plot NaN notitle" : items_) + '\n'; }
+  const PlotData& data() const { return data_; }
 
  private:
   std::string items_;
-  std::string data_;
+  PlotData data_;
 };
 
 const char* color_of(int index) {
@@ -127,7 +124,7 @@ void add_field(const Figure& figure, PlotItems& items) {
   const double dy = (image.y_high - image.y_low) / static_cast<double>(image.rows);
   // On the second axes, which are linear in the coordinates as drawn: an image needs equal pixels.
   items.add(
-      fmt::format("'-' binary array=({},{}) format='%double' origin=({},{}) dx={} dy={} "
+      fmt::format("array=({},{}) format='%double' origin=({},{}) dx={} dy={} "
                   "axes x2y2 with image notitle",
                   image.columns, image.rows, image.x_low + dx / 2, image.y_low + dy / 2, dx, dy),
       image.values);
@@ -197,8 +194,47 @@ std::string axis_text(const std::string& name, const FigureAxis& axis, const Axi
          fmt::format("set {0}tics {1}\nset format {0} '%h'\n", name, short_log_tics(low, high));
 }
 
-// The script after the choice of the picture's format.
-std::string plot_script(const Figure& figure) {
+void check_grid_lines(const std::vector<double>& lines, const FigureAxis& axis, const char* name,
+                      const std::string& picture) {
+  if (lines.empty()) throw InputError(picture, fmt::format("has no grid line along {}", name));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!is_drawable(axis, lines[i]) || (i > 0 && lines[i] <= lines[i - 1]))
+      throw InputError(picture,
+                       fmt::format("number {} of the grid lines along {} is {}; they must "
+                                   "be {}, below 1e300, and increase",
+                                   i + 1, name, lines[i], axis.is_log ? "positive" : "finite"));
+}
+
+void check_count(std::size_t values, std::size_t points, const char* what,
+                 const std::string& picture) {
+  if (values != points)
+    throw InputError(picture, fmt::format("{} has {} values for {} points", what, values, points));
+}
+
+// Throws InputError with the name of the picture.
+void check(const Figure& figure, const std::string& picture) {
+  if (const auto& field = figure.field) {
+    check_grid_lines(field->x, figure.x, "x", picture);
+    check_grid_lines(field->y, figure.y, "y", picture);
+    check_count(field->values.size(), field->x.size() * field->y.size(), "the field", picture);
+  }
+  for (const Line& line : figure.lines)
+    check_count(line.y.size(), line.x.size(), "a line", picture);
+  for (const Marks& marks : figure.marks)
+    check_count(marks.y.size(), marks.x.size(), "a row of marks", picture);
+}
+
+// What is drawn.
+PlotItems items_of(const Figure& figure) {
+  PlotItems items;
+  if (figure.field) add_field(figure, items);
+  for (const Line& line : figure.lines) add_line(line, figure.field.has_value(), items);
+  for (const Marks& marks : figure.marks) add_marks(marks, items);
+  return items;
+}
+
+// The script between the choice of the picture's format and the plot command.
+std::string settings_of(const Figure& figure) {
   const Frame frame = frame_of(figure);
   std::string text =
       "set encoding utf8\nset minussign\n"
@@ -209,14 +245,8 @@ std::string plot_script(const Figure& figure) {
   text += axis_text("x", figure.x, frame.x) + axis_text("y", figure.y, frame.y);
   text += key_command(figure, frame);
   if (figure.is_to_scale) text += "set size ratio -1\n";
-  PlotItems items;
-  if (figure.field) {
-    text += color_bar(*figure.field);
-    add_field(figure, items);
-  }
-  for (const Line& line : figure.lines) add_line(line, figure.field.has_value(), items);
-  for (const Marks& marks : figure.marks) add_marks(marks, items);
-  return text + items.text();
+  if (figure.field) text += color_bar(*figure.field);
+  return text;
 }
 
 }  // namespace
@@ -231,11 +261,13 @@ std::string plain(std::string_view text) {
 }
 
 std::vector<std::filesystem::path> draw(const Figure& figure, const std::filesystem::path& stem) {
-  const std::string script = plot_script(figure);
+  check(figure, stem.string());
+  const PlotItems items = items_of(figure);
+  const std::string script = settings_of(figure) + items.command();
   const std::filesystem::path png = stem.string() + ".png";
   const std::filesystem::path svg = stem.string() + ".svg";
-  run_gnuplot(png_terminal() + script, png, png_ending);
-  run_gnuplot(svg_terminal() + script, svg, svg_ending);
+  run_gnuplot(png_terminal() + script, items.data(), png, png_ending);
+  run_gnuplot(svg_terminal() + script, items.data(), svg, svg_ending);
   return {png, svg};
 }
 

@@ -61,8 +61,10 @@ struct Figure {
 std::string plain(std::string_view text);
 
 /// Writes `stem`.png and `stem`.svg, each whole or not at all, and returns their names. A field is
-/// drawn on a raster, so that neither time nor size grow with its grid. Throws FileError if gnuplot
-/// is missing or fails, with its own words.
+/// drawn on a raster, so that neither time nor size grow with its grid. Points that are not finite
+/// are left out. Throws InputError where a field's grid lines cannot be drawn on their axis or do
+/// not increase, or where there is another number of values than points; FileError, with gnuplot's
+/// own words, if it is missing or fails.
 std::vector<std::filesystem::path> draw(const Figure&, const std::filesystem::path& stem);
 
 }  // namespace pennon::analysis

@@ -41,7 +41,8 @@ class Hull {
 }  // namespace
 
 bool is_drawable(const FigureAxis& axis, double value) {
-  return std::isfinite(value) && !(axis.is_log && value <= 0);
+  constexpr double largest = 1e300;  // gnuplot takes 9e307 for infinite, and axes have margins
+  return std::abs(value) < largest && !(axis.is_log && value <= 0);
 }
 
 double drawn(const FigureAxis& axis, double value) {

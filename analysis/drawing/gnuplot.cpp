@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <optional>
 
 #include "common/errors.hpp"
@@ -41,15 +43,29 @@ std::string quoted_text(std::string_view text) {
   return result + "'";
 }
 
-void run_gnuplot(std::string_view script, const std::filesystem::path& picture,
-                 std::string_view ending) {
+std::string PlotData::add(const std::vector<double>& numbers) {
+  std::string source = fmt::format("'{}' binary skip={}", data_file, bytes_.size());
+  for (const double number : numbers) {
+    const double drawn = std::isfinite(number) ? number : std::numeric_limits<double>::quiet_NaN();
+    bytes_.append(reinterpret_cast<const char*>(&drawn), sizeof drawn);
+  }
+  return source;
+}
+
+void run_gnuplot(std::string_view script, const PlotData& data,
+                 const std::filesystem::path& picture, std::string_view ending) {
   AtomicFile file(picture);
   const std::optional<std::filesystem::path> gnuplot = find_program("gnuplot");
   if (!gnuplot)
     throw FileError("gnuplot, which draws the pictures, was not found: install gnuplot-nox");
-  // -d: without the user's ~/.gnuplot, which could change any picture.
-  const ChildEnd end = run_program(
-      {.program = *gnuplot, .arguments = {"-d"}, .input = script, .output = file.temporary()});
+  // -d: without the user's ~/.gnuplot. That and the variables could change any picture.
+  const ChildEnd end =
+      run_program({.program = *gnuplot,
+                   .arguments = {"-d"},
+                   .input = script,
+                   .output = file.temporary(),
+                   .data = data.bytes(),
+                   .unset = {"GNUTERM", "GNUPLOT_LIB", "GNUPLOT_FONTPATH", "GNUPLOT_PS_DIR"}});
   if (!end.is_success() || !file_ends_with(file.temporary(), ending))
     throw FileError(fmt::format("gnuplot could not draw {}: {}", picture.string(),
                                 end.messages.empty() ? "the picture is not whole" : end.messages));

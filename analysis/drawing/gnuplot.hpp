@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pennon::analysis {
 
@@ -13,10 +14,23 @@ namespace pennon::analysis {
 /// write one at the beginning of a string.
 std::string quoted_text(std::string_view text);
 
-/// Runs gnuplot without any shell on a script, which may hold inline binary data, and writes what
-/// it draws to `picture`, whole or not at all. `ending` is what a whole picture of this format ends
+/// The numbers that a script draws. They never stand in the script: where a command fails, gnuplot
+/// would read what follows it as commands.
+class PlotData {
+ public:
+  /// Keeps the numbers, and returns what names them in a plot command, before `record` or `array`.
+  /// What is not finite becomes NaN, which gnuplot leaves out.
+  std::string add(const std::vector<double>& numbers);
+  std::string_view bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+/// Runs gnuplot without any shell and without anybody's settings on a script, and writes what it
+/// draws to `picture`, whole or not at all. `ending` is what a whole picture of this format ends
 /// with. Throws FileError with gnuplot's own words where it is missing or fails.
-void run_gnuplot(std::string_view script, const std::filesystem::path& picture,
-                 std::string_view ending);
+void run_gnuplot(std::string_view script, const PlotData& data,
+                 const std::filesystem::path& picture, std::string_view ending);
 
 }  // namespace pennon::analysis

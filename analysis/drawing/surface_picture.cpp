@@ -3,41 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "analysis/drawing/gnuplot.hpp"
 #include "analysis/drawing/picture_style.hpp"
+#include "common/errors.hpp"
 
 namespace pennon::analysis {
 namespace {
 
 constexpr int bands = 12;  // of colour
 
-// What gnuplot reads in place of a file.
-void append(std::string& data, std::initializer_list<double> numbers) {
-  const std::size_t begin = data.size();
-  data.resize(begin + numbers.size() * sizeof(double));
-  std::memcpy(data.data() + begin, std::data(numbers), numbers.size() * sizeof(double));
-}
-
 struct Plot {
-  std::string items, data;
+  std::string items;
+  PlotData data;
 
-  void add(const std::string& item) { items += (items.empty() ? "splot " : ", ") + item; }
+  // `how` is what follows the numbers' name in the plot command.
+  void add(const std::string& how, const std::vector<double>& numbers) {
+    items += (items.empty() ? "splot " : ", ") + data.add(numbers) + ' ' + how;
+  }
 
   void add_surface(const Surface& s) {
-    const std::size_t nodes = s.rows * s.columns;
-    assert(s.x.size() == nodes && s.y.size() == nodes && s.z.size() == nodes &&
-           s.values.size() == nodes);
-    add(
-        fmt::format("'-' binary record=({},{}) format='%double%double%double%double' "
+    std::vector<double> numbers;
+    for (std::size_t n = 0; n < s.rows * s.columns; ++n)
+      numbers.insert(numbers.end(), {s.x[n], s.y[n], s.z[n], s.values[n]});
+    add(fmt::format("record=({},{}) format='%double%double%double%double' "
                     "using 1:2:3:4 with pm3d notitle",
-                    s.columns, s.rows));
-    for (std::size_t n = 0; n < nodes; ++n) append(data, {s.x[n], s.y[n], s.z[n], s.values[n]});
+                    s.columns, s.rows),
+        numbers);
   }
 
   void add_outline(const Surface& s) {
@@ -46,13 +41,23 @@ struct Plot {
     for (std::size_t i = 1; i < s.rows; ++i) nodes.push_back((i + 1) * s.columns - 1);
     for (std::size_t j = s.columns - 1; j-- > 0;) nodes.push_back((s.rows - 1) * s.columns + j);
     for (std::size_t i = s.rows - 1; i-- > 0;) nodes.push_back(i * s.columns);
-    add(
-        fmt::format("'-' binary record=({}) format='%double%double%double' using 1:2:3 "
+    std::vector<double> numbers;
+    for (const std::size_t n : nodes) numbers.insert(numbers.end(), {s.x[n], s.y[n], s.z[n]});
+    add(fmt::format("record=({}) format='%double%double%double' using 1:2:3 "
                     "with lines lc rgb '#000000' lw 0.5 notitle",
-                    nodes.size()));
-    for (const std::size_t n : nodes) append(data, {s.x[n], s.y[n], s.z[n]});
+                    nodes.size()),
+        numbers);
   }
 };
+
+// Throws InputError with the name of the picture.
+void check(const SurfacePicture& picture, const std::string& name) {
+  for (const Surface& s : picture.surfaces)
+    for (const auto* numbers : {&s.x, &s.y, &s.z, &s.values})
+      if (s.rows == 0 || s.columns == 0 || numbers->size() != s.rows * s.columns)
+        throw InputError(name, fmt::format("a surface of {} x {} nodes has {} numbers for them",
+                                           s.rows, s.columns, numbers->size()));
+}
 
 // The ends of the colours; a single value gets a band around it.
 std::pair<double, double> range_of(const SurfacePicture& picture) {
@@ -60,9 +65,11 @@ std::pair<double, double> range_of(const SurfacePicture& picture) {
   double high = -low;
   for (const Surface& surface : picture.surfaces)
     for (const double value : surface.values) {
+      if (!std::isfinite(value)) continue;
       low = std::min(low, value);
       high = std::max(high, value);
     }
+  if (low > high) return {0, 1};
   const double margin = low < high ? 0 : std::max(0.1 * std::abs(low), 1e-3);
   return {low - margin, high + margin};
 }
@@ -80,6 +87,7 @@ constexpr const char* stage =
 }  // namespace
 
 std::filesystem::path draw(const SurfacePicture& picture, const std::filesystem::path& stem) {
+  check(picture, stem.string());
   Plot plot;
   for (const Surface& surface : picture.surfaces) plot.add_surface(surface);
   for (const Surface& surface : picture.surfaces) plot.add_outline(surface);
@@ -92,9 +100,9 @@ std::filesystem::path draw(const SurfacePicture& picture, const std::filesystem:
           "1,0\n",
           low, high, quoted_text(picture.x_label), quoted_text(picture.y_label),
           quoted_text(picture.z_label), quoted_text(picture.value_label)) +
-      plot.items + '\n' + plot.data;
+      plot.items + '\n';
   std::filesystem::path png = stem.string() + ".png";
-  run_gnuplot(script, png, png_ending);
+  run_gnuplot(script, plot.data, png, png_ending);
   return png;
 }
 

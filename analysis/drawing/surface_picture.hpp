@@ -20,8 +20,8 @@ struct SurfacePicture {
 };
 
 /// Draws the surfaces in perspective, with equal scales along all axes and the values in bands of
-/// colour. Writes `stem`.png, whole or not at all, and returns its name. Throws FileError as draw()
-/// of figure.hpp does.
+/// colour. Writes `stem`.png, whole or not at all, and returns its name. Throws InputError
+/// where a surface has another number of values than nodes, FileError as draw() of figure.hpp does.
 std::filesystem::path draw(const SurfacePicture&, const std::filesystem::path& stem);
 
 }  // namespace pennon::analysis

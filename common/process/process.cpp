@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -42,6 +43,7 @@ class Descriptor {
     if (number_ >= 0) ::close(number_);
     number_ = -1;
   }
+  int release() { return std::exchange(number_, -1); }
   int number() const { return number_; }
   bool is_open() const { return number_ >= 0; }
 
@@ -49,14 +51,25 @@ class Descriptor {
   int number_;
 };
 
+constexpr int data_stream = 3;
+
+// The same file under a number above those that a child's streams get.
+Descriptor moved_up(int file, const std::string& program) {
+  const Descriptor low(file);
+  Descriptor high(fcntl(low.number(), F_DUPFD_CLOEXEC, data_stream + 1));
+  if (!high.is_open()) fail("too many files are open to start " + program, errno);
+  return high;
+}
+
 struct Pipe {
   Descriptor to_read, to_write;
 
   explicit Pipe(const std::string& program) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) fail("no pipe to " + program, errno);
-    to_read = Descriptor(ends[0]);
-    to_write = Descriptor(ends[1]);
+    Descriptor second(ends[1]);
+    to_read = moved_up(ends[0], program);
+    to_write = moved_up(second.release(), program);
   }
 };
 
@@ -64,9 +77,10 @@ struct Pipe {
 // while nobody reads, and a child that ends early leaves nobody writing.
 Descriptor scratch_with(std::string_view text, const std::string& program) {
   std::string name = (std::filesystem::temp_directory_path() / "pennon-XXXXXX").string();
-  Descriptor file(mkostemp(name.data(), O_CLOEXEC));
-  if (!file.is_open()) fail("no scratch file can be made for " + program, errno);
+  const int made = mkostemp(name.data(), O_CLOEXEC);
+  if (made < 0) fail("no scratch file can be made for " + program, errno);
   unlink(name.c_str());
+  Descriptor file = moved_up(made, program);
   while (!text.empty()) {
     const ssize_t count = write(file.number(), text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
@@ -77,33 +91,54 @@ Descriptor scratch_with(std::string_view text, const std::string& program) {
   return file;
 }
 
-Descriptor created(const std::filesystem::path& path) {
+Descriptor created(const std::filesystem::path& path, const std::string& program) {
   constexpr mode_t everyones = 0666;  // less what the user's umask takes away
-  Descriptor file(open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, everyones));
-  if (!file.is_open()) fail(path.string() + " cannot be written", errno);
-  return file;
+  const int file = open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, everyones);
+  if (file < 0) fail(path.string() + " cannot be written", errno);
+  return moved_up(file, program);
 }
 
 struct Streams {
-  Descriptor input, output;
+  Descriptor input, output, data;
   Pipe messages;
 };
 
-// In the child: the file is a standard stream from now on, and stays open at the exec.
+// The words as execve() takes them; they must outlive the pointers.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+// This program's environment but for the variables of these names.
+std::vector<std::string> environment_without(const std::vector<std::string>& names) {
+  std::vector<std::string> kept;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    if (std::ranges::find(names, text.substr(0, text.find('='))) == names.end())
+      kept.emplace_back(text);
+  }
+  return kept;
+}
+
+// In the child: the file is this stream from now on, and stays open at the exec. All files that the
+// parent opened have higher numbers, so that none is lost.
 bool is_made_stream(const Descriptor& file, int stream) {
-  if (file.number() == stream) return fcntl(stream, F_SETFD, 0) == 0;
   return dup2(file.number(), stream) >= 0;
 }
 
 // In the child: becomes the program, or hands the error of the call that failed to the parent.
-[[noreturn]] void become(const char* program, char* const* words, const Streams& streams,
-                         pid_t parent, int failures) {
+[[noreturn]] void become(const char* program, char* const* words, char* const* environment,
+                         const Streams& streams, pid_t parent, int failures) {
   const bool is_ready =
       prctl(PR_SET_PDEATHSIG, SIGTERM) == 0 && getppid() == parent &&
       (!streams.input.is_open() || is_made_stream(streams.input, STDIN_FILENO)) &&
       (!streams.output.is_open() || is_made_stream(streams.output, STDOUT_FILENO)) &&
+      (!streams.data.is_open() || is_made_stream(streams.data, data_stream)) &&
       is_made_stream(streams.messages.to_write, STDERR_FILENO);
-  if (is_ready) execv(program, words);
+  if (is_ready) execve(program, words, environment);
   const int error = errno;
   const ssize_t told = write(failures, &error, sizeof error);
   _exit(told == sizeof error ? 127 : 126);
@@ -113,15 +148,14 @@ pid_t start(const ChildProgram& asked, const Streams& streams) {
   const std::string program = asked.program.string();
   std::vector<std::string> words = asked.arguments;
   words.insert(words.begin(), program);
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+  std::vector<std::string> variables = environment_without(asked.unset);
+  const std::vector<char*> arguments = pointers_to(words), environment = pointers_to(variables);
   Pipe failures(program);
   const pid_t parent = getpid(), child = fork();
   if (child < 0) fail(program + " cannot be started", errno);
   if (child == 0)
-    become(program.c_str(), pointers.data(), streams, parent, failures.to_write.number());
+    become(program.c_str(), arguments.data(), environment.data(), streams, parent,
+           failures.to_write.number());
   failures.to_write.close();
   int error = 0;
   ssize_t count = 0;
@@ -175,7 +209,8 @@ std::optional<std::filesystem::path> find_program(const std::string& name) {
 ChildEnd run_program(const ChildProgram& asked) {
   const std::string program = asked.program.string();
   Streams streams{asked.input ? scratch_with(*asked.input, program) : Descriptor(),
-                  asked.output ? created(*asked.output) : Descriptor(), Pipe(program)};
+                  asked.output ? created(*asked.output, program) : Descriptor(),
+                  asked.data ? scratch_with(*asked.data, program) : Descriptor(), Pipe(program)};
   const pid_t child = start(asked, streams);
   streams.messages.to_write.close();
   ChildEnd end;

@@ -25,10 +25,15 @@ struct ChildProgram {
   std::vector<std::string> arguments = {};           ///< without the program's name
   std::optional<std::string_view> input = {};        ///< of its standard input; none: the parent's
   std::optional<std::filesystem::path> output = {};  ///< of its standard output; none: the parent's
+  std::optional<std::string_view> data = {};         ///< what it reads from data_file
+  std::vector<std::string> unset = {};               ///< environment variables that it does not get
   /// Whether it is sent SIGTERM once the user has asked pennon to stop (common/interrupt.hpp),
   /// again and again until it ends.
   bool is_interruptible = false;
 };
+
+/// The name under which a child may open its data, as often as it likes, from the beginning.
+inline constexpr const char* data_file = "/proc/self/fd/3";
 
 /// How a child ended: by itself with an exit status, or by a signal.
 struct ChildEnd {
@@ -44,8 +49,8 @@ struct ChildEnd {
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
 /// Starts the program and waits for its end. `output` is made anew. Throws FileError, which names
-/// the program and what the system said, where it cannot be started, its input cannot be kept in a
-/// scratch file, or `output` cannot be written.
+/// the program and what the system said, where it cannot be started, its input or data cannot be
+/// kept in a scratch file, or `output` cannot be written.
 ChildEnd run_program(const ChildProgram&);
 
 }  // namespace pennon

@@ -1,12 +1,14 @@
 /// Pictures: drawn whole or not at all, whatever they show and whatever their texts hold.
 #include "analysis/drawing/figure.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 
 #include "analysis/drawing/gnuplot.hpp"
@@ -159,6 +161,78 @@ TEST(Figure, ShowsTextsAndRunsNoneOfThem) {
   EXPECT_THAT(folder.names(), ElementsAre("figure.png", "figure.svg"));
 }
 
+// Numbers whose bytes are lines of gnuplot's language, and such as make the plot command fail: read
+// as commands they would leave a file.
+TEST(Figure, RunsNoneOfTheNumbersItDraws) {
+  const TemporaryFolder folder;
+  const std::string mark = (folder / "ran").string();
+  std::string commands;
+  while (commands.size() < 4096) commands += fmt::format("\nsystem \"touch '{}'\"\n", mark);
+  std::vector<double> numbers(commands.size() / sizeof(double));
+  std::memcpy(numbers.data(), commands.data(), numbers.size() * sizeof(double));
+  for (const double bad : {nan, infinity, -infinity, 1e308}) {
+    Figure figure;
+    figure.lines = {
+        {std::vector<double>(numbers.size(), bad), numbers, "line", Stroke::solid, 0, 1}};
+    figure.marks = {
+        {numbers, std::vector<double>(numbers.size(), bad), "", Marker::circle, true, 0}};
+    failure_of<FileError>([&] { draw(figure, folder / "figure"); });
+    EXPECT_FALSE(std::filesystem::exists(mark)) << bad;
+    figure.field = {{0, bad}, {0, 1}, {0, 0, 0, 0}, "field", false};
+    EXPECT_THAT(failure_of<InputError>([&] { draw(figure, folder / "figure"); }),
+                AllOf(HasSubstr("figure"), HasSubstr("number 2 of the grid lines along x")));
+    EXPECT_FALSE(std::filesystem::exists(mark)) << bad;
+  }
+}
+
+TEST(Figure, IsRefusedWhereItsFieldHasNoGrid) {
+  const TemporaryFolder folder;
+  const auto fault = [&](FigureField field, bool is_log) {
+    Figure figure = small_figure();
+    figure.x.is_log = is_log;
+    figure.field = std::move(field);
+    return failure_of<InputError>([&] { draw(figure, folder / "figure"); });
+  };
+  const std::vector<double> four(4, 0.0);
+  EXPECT_THAT(fault({{2, 1}, {0, 1}, four, "", false}, false),
+              HasSubstr("number 2 of the grid lines along x is 1; they must be finite, below "
+                        "1e300, and increase"));
+  EXPECT_THAT(fault({{1, 2}, {nan, 1}, four, "", false}, false),
+              HasSubstr("number 1 of the grid lines along y is nan"));
+  EXPECT_THAT(fault({{0, 1}, {0, 1}, four, "", false}, true),
+              HasSubstr("number 1 of the grid lines along x is 0; they must be positive"));
+  EXPECT_THAT(fault({{}, {0, 1}, {}, "", false}, false), HasSubstr("no grid line along x"));
+  EXPECT_THAT(fault({{0, 1}, {0, 1}, {0, 0, 0}, "", false}, false),
+              HasSubstr("the field has 3 values for 4 points"));
+  EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(Figure, LeavesOutWhatIsNotFinite) {
+  const TemporaryFolder folder;
+  Figure figure = small_figure();
+  figure.lines[0].y[0] = infinity;
+  figure.lines[0].x[1] = nan;
+  figure.marks[0].y[0] = -infinity;
+  figure.field = small_field();
+  figure.field->values[0] = infinity;
+  figure.field->values[1] = nan;
+  expect_whole(draw(figure, folder / "figure"));
+  figure.field->values.assign(figure.field->values.size(), nan);
+  expect_whole(draw(figure, folder / "figure"));
+}
+
+TEST(Figure, DoesNotDependOnTheUsersGnuplot) {
+  const TemporaryFolder folder;
+  draw(small_figure(), folder / "usual");
+  const test::ChildEnd end = in_child([&] {
+    setenv("GNUTERM", "no such terminal", 1);
+    draw(small_figure(), folder / "other");
+    return 0;
+  });
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(read_text(folder / "other.svg"), read_text(folder / "usual.svg"));
+}
+
 TEST(Figure, ShowsAPlainTextLetterByLetter) {
   const TemporaryFolder folder;
   Figure figure;
@@ -191,8 +265,9 @@ TEST(Figure, FailsInWordsAndLeavesNothingOnAFullDisk) {
 
 TEST(Gnuplot, FailsInItsOwnWords) {
   const TemporaryFolder folder;
-  EXPECT_THAT(failure_of<FileError>([&] { run_gnuplot("nonsense\n", folder / "figure.png", ""); }),
-              AllOf(HasSubstr("figure.png"), HasSubstr("invalid command")));
+  EXPECT_THAT(
+      failure_of<FileError>([&] { run_gnuplot("nonsense\n", {}, folder / "figure.png", ""); }),
+      AllOf(HasSubstr("figure.png"), HasSubstr("invalid command")));
   EXPECT_THAT(folder.names(), IsEmpty());
 }
 

@@ -64,6 +64,14 @@ TEST(SurfacePicture, IsDrawnWhereAllValuesAreOneAndAllPlacesInAPlane) {
   EXPECT_THAT(folder.names(), ElementsAre("flat.png", "rest.png"));
 }
 
+TEST(SurfacePicture, IsRefusedWhereNodesLackAValue) {
+  const TemporaryFolder folder;
+  SurfacePicture picture = sheet(1);
+  picture.surfaces[0].values.pop_back();
+  EXPECT_THAT(failure_of<InputError>([&] { draw(picture, folder / "a"); }),
+              HasSubstr("nodes has 11 numbers for them"));
+}
+
 TEST(SurfacePicture, FailsInWordsWhereTheFolderIsNotThere) {
   EXPECT_THAT(failure_of<FileError>([] { draw(sheet(1), "/absent/folder/a"); }),
               HasSubstr("No such file or directory"));

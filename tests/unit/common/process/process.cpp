@@ -1,6 +1,7 @@
 /// Child programs: what they are given, what comes back, and how they end.
 #include "common/process/process.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,6 +46,31 @@ TEST(Process, ReadsItsInputAndWritesItsOutputWhole) {
   EXPECT_TRUE(end.is_success());
   EXPECT_EQ(end.messages, "");
   EXPECT_EQ(test::read_text(folder / "copy"), text);
+}
+
+TEST(Process, ReadsItsDataAsOftenAsItLikes) {
+  const TemporaryFolder folder;
+  const std::string twice = fmt::format("cat {0}; cat - {0}", data_file);
+  ChildProgram program = shell(twice);
+  program.input = "input";
+  program.data = "data";
+  program.output = folder / "read";
+  EXPECT_TRUE(run_program(program).is_success());
+  EXPECT_EQ(test::read_text(folder / "read"), "datainputdata");
+}
+
+TEST(Process, DoesNotGetTheVariablesThatAreUnset) {
+  const TemporaryFolder folder;
+  const test::ChildEnd end = in_child([&] {
+    setenv("PENNON_TEST_A", "a", 1);
+    setenv("PENNON_TEST_AB", "ab", 1);
+    ChildProgram program = shell("echo ${PENNON_TEST_A-none} $PENNON_TEST_AB");
+    program.output = folder / "variables";
+    program.unset = {"PENNON_TEST_A"};
+    return run_program(program).exit_status;
+  });
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(test::read_text(folder / "variables"), "none ab\n");
 }
 
 TEST(Process, MayEndBeforeItHasReadItsInput) {
