@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests. ./test.sh LABEL runs what has one label only:
 # unit, verification, regression, or validation, which is left out otherwise because it takes long.
-# ./test.sh bench builds the benchmarks in build/bench/, to be run by hand. ./test.sh lint checks style and seeks defects in the sources that changed since they last passed.
+# ./test.sh bench builds the benchmarks in build/bench/, to be run by hand. ./test.sh lint checks style
+# and seeks defects in the sources that changed since they last passed.
 # ./test.sh sanitize runs the unit tests under the address and undefined-behaviour sanitizers, in
 # build-sanitize/. ./test.sh kernels runs the tests once under each of several kernels of OpenBLAS
 # that this processor can execute, about three minutes each: rounding differs between them, so a bound
@@ -29,8 +30,6 @@ sanitize() {
 }
 
 run_tests() { ctest --preset release --no-tests=error --parallel 2 "$@"; }
-
-known_labels() { ctest --test-dir build --print-labels | sed -n 's/^  *\([a-z]*\)$/\1/p'; }
 
 # What /proc/cpuinfo lists of a processor that can execute the kernel.
 instructions_of() {
@@ -87,9 +86,11 @@ case $label in
     ;;
 esac
 case $label in
+  "" | kernels | unit | verification | regression) set_up_tests ;;
   validation) set_up_tests VALIDATION ;;
   bench) set_up_tests BENCHMARKS ;;
-  *) set_up_tests ;;
+  *) fail "no test has the label $label; there are: unit verification regression validation," \
+    "and the commands bench kernels lint sanitize" ;;
 esac
 [[ ${PENNON_SETUP_ONLY:-0} != 1 ]] || exit 0
 
@@ -100,9 +101,6 @@ case $label in
   bench) ls build/bench/bench_* ;;
   kernels) run_under_kernels ;;
   *)
-    known_labels | grep --quiet --line-regexp --fixed-strings -- "$label" ||
-      fail "no test has the label $label; there are: bench kernels lint sanitize" \
-        "$({ known_labels && echo validation; } | sort --unique | xargs)"
     run_tests --label-regex "^$label\$"
     ;;
 esac

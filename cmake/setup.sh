@@ -43,14 +43,15 @@ install_packages() {
     apt-get install --yes --no-install-recommends "${missing[@]}"
 }
 
-# Builds the two programs. A folder that was configured with the tests keeps them.
+# Builds the two programs and what installing them takes. A folder that was configured with the tests
+# keeps them.
 set_up_programs() {
   install_packages run
   say "configuring and building the programs in build/"
-  local options=()
-  [[ -f build/CMakeCache.txt ]] || options=(-D PENNON_TESTS=OFF)
-  cmake --preset release "${options[@]}"
-  cmake --build --preset release --target pennon pennon-global
+  local with_tests=OFF
+  ! grep --quiet '^PENNON_TESTS:[A-Z]*=ON$' build/CMakeCache.txt 2>/dev/null || with_tests=ON
+  cmake --preset release -D PENNON_TESTS=$with_tests
+  cmake --build --preset release --target pennon pennon-global pennon_manual
 }
 
 # Builds the programs and the tests; with VALIDATION or BENCHMARKS those too.

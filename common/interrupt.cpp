@@ -1,5 +1,9 @@
 #include "common/interrupt.hpp"
 
+#include <signal.h>
+
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <string>
 
@@ -8,10 +12,20 @@
 namespace pennon {
 namespace {
 
+struct Watched {
+  int number;
+  const char* name;
+};
+constexpr std::array<Watched, 5> watched = {{{SIGINT, "Ctrl-C"},
+                                             {SIGTERM, "SIGTERM"},
+                                             {SIGUSR1, "SIGUSR1"},
+                                             {SIGUSR2, "SIGUSR2"},
+                                             {SIGHUP, "the end of its terminal (SIGHUP)"}}};
+
 volatile std::sig_atomic_t caught_signal = 0;
 
 void note(int signal) {
-  if (caught_signal != 0) {
+  if (signal == SIGINT && caught_signal == SIGINT) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -21,8 +35,16 @@ void note(int signal) {
 }  // namespace
 
 void watch_for_interrupts() {
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
+  for (const Watched& signal : watched) {
+    struct sigaction action {};
+    if (signal.number == SIGHUP && sigaction(SIGHUP, nullptr, &action) == 0 &&
+        action.sa_handler == SIG_IGN)
+      continue;
+    action = {};
+    action.sa_handler = note;
+    action.sa_flags = SA_RESTART;  // system calls go on, as with std::signal
+    sigaction(signal.number, &action, nullptr);
+  }
 }
 
 bool is_interrupted() {
@@ -31,8 +53,9 @@ bool is_interrupted() {
 
 void stop_if_interrupted(const char* advice) {
   if (!is_interrupted()) return;
-  const std::string name = caught_signal == SIGINT ? "Ctrl-C" : "SIGTERM";
-  throw Interrupted("stopped by " + name + "; " + advice);
+  const int caught = caught_signal;
+  const auto* const signal = std::ranges::find(watched, caught, &Watched::number);
+  throw Interrupted(std::string("stopped by ") + signal->name + "; " + advice);
 }
 
 }  // namespace pennon

@@ -1,17 +1,21 @@
-/// Ctrl-C and SIGTERM: long work asks now and then whether to stop, and leaves with its files
-/// whole.
+/// Signals that ask pennon to stop: long work looks now and then whether one has come, and leaves
+/// with its files whole.
 #pragma once
 
 namespace pennon {
 
-/// From now on SIGINT and SIGTERM only note that the user wants to stop; a second one ends the
-/// process at once.
+/// From now on these signals only note that the run is to stop:
+///
+///   SIGINT             Ctrl-C; a second one ends the process at once
+///   SIGTERM            kill, mpiexec when it is stopped itself, and queues
+///   SIGUSR1, SIGUSR2   queues, as a warning before the time is over
+///   SIGHUP             a terminal that was closed; not under nohup
 void watch_for_interrupts();
 
-/// Whether one of the two has come.
+/// Whether one of them has come.
 bool is_interrupted();
 
-/// Throws Interrupted, with `advice` on how to go on, if one of the two has come.
+/// Throws Interrupted, with the signal's name and `advice` on how to go on, if one has come.
 void stop_if_interrupted(const char* advice);
 
 }  // namespace pennon

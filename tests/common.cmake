@@ -1,6 +1,7 @@
 pennon_test(test_common
   SOURCES
     support/case_mutator.cpp
+    unit/common/interrupt.cpp
     unit/common/progress.cpp
     unit/common/case/case_fuzz.cpp
     unit/common/case/case_reader.cpp

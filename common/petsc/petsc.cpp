@@ -17,8 +17,10 @@ void check(PetscErrorCode code, const char* file, int line) {
 }
 
 Session::Session() {
+  // Signals are the program's own affair: PETSc would take the place of what it does at one, and
+  // leave none behind.
+  check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "true"));
   check(PetscInitializeNoArguments());
-  check(PetscPopSignalHandler());  // signals are the program's own affair
   check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
 }
 

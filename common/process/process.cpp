@@ -171,12 +171,16 @@ std::string read_messages(int pipe_end, pid_t child, bool is_interruptible) {
   std::string text;
   std::array<char, 4096> buffer{};
   constexpr int milliseconds_between_looks = 200;
+  constexpr int looks_of_grace = 10;
+  int looks = 0;  // since the interrupt
   for (;;) {
     pollfd waiting{pipe_end, POLLIN, 0};
-    if (poll(&waiting, 1, milliseconds_between_looks) <= 0) {
-      if (is_interruptible && is_interrupted()) kill(child, SIGTERM);
-      continue;
+    if (is_interruptible && is_interrupted() && looks <= looks_of_grace) {
+      if (looks == 0) kill(child, SIGTERM);
+      if (looks == looks_of_grace) kill(child, SIGKILL);
+      ++looks;
     }
+    if (poll(&waiting, 1, milliseconds_between_looks) <= 0) continue;
     const ssize_t count = read(pipe_end, buffer.data(), buffer.size());
     if (count > 0)
       text.append(buffer.data(), static_cast<std::size_t>(count));

@@ -27,8 +27,8 @@ struct ChildProgram {
   std::optional<std::filesystem::path> output = {};  ///< of its standard output; none: the parent's
   std::optional<std::string_view> data = {};         ///< what it reads from data_file
   std::vector<std::string> unset = {};               ///< environment variables that it does not get
-  /// Whether it is sent SIGTERM once the user has asked pennon to stop (common/interrupt.hpp),
-  /// again and again until it ends.
+  /// Whether it is sent SIGTERM once the user has asked pennon to stop (common/interrupt.hpp), and
+  /// two seconds later SIGKILL.
   bool is_interruptible = false;
 };
 

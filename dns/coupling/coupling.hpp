@@ -61,6 +61,9 @@ class Coupling {
 
   /// Has the next step factor its own tangent, so that what follows depends on the state alone.
   void forget_tangent() { newton_.forget_tangent(); }
+  /// As of FlagNewton.
+  std::optional<KeptTangent> kept_tangent() const { return newton_.kept_tangent(); }
+  bool keep(const KeptTangent& tangent) { return newton_.keep(tangent); }
 
   /// The fluid's wall, of the planes of this rank, where the flag is at x.
   WallShape wall_of(const NodeVectors<dim>& x) const;

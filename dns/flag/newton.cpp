@@ -83,6 +83,21 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
   return false;
 }
 
+template <int dim>
+std::optional<KeptTangent> FlagNewton<dim>::kept_tangent() const {
+  if (settings_.contraction == 0 || factored_mass_ == 0) return std::nullopt;
+  return KeptTangent{factored_mass_, tangent_->factors()};
+}
+
+template <int dim>
+bool FlagNewton<dim>::keep(const KeptTangent& tangent) {
+  factored_mass_ = 0;
+  if (!tangent_->factor_again(tangent.factors)) return false;
+  factored_mass_ = tangent.mass_factor;
+  must_fill_ = false;
+  return true;
+}
+
 template struct FlagEquation<2>;
 template struct FlagEquation<3>;
 template class FlagNewton<2>;

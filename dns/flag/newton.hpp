@@ -6,10 +6,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "dns/flag/added_inertia.hpp"
 #include "dns/flag/flag.hpp"
 #include "dns/flag/state.hpp"
+#include "dns/flag/tangent_matrix.hpp"
 #include "dns/numerics/backward_difference.hpp"
 
 namespace pennon::dns {
@@ -48,6 +50,12 @@ struct FlagEquation {
   void pose(const FlagState<dim>&, const BackwardDifference&, double dt);
 };
 
+/// The tangent that the next solution begins with, where it does not make its own.
+struct KeptTangent {
+  double mass_factor = 0;
+  TangentFactors factors;
+};
+
 template <int dim>
 class FlagNewton {
  public:
@@ -64,6 +72,12 @@ class FlagNewton {
   void begin_step() { must_fill_ = true; }
   /// Has the next solution factor its own tangent, so that what follows depends on the state alone.
   void forget_tangent() { factored_mass_ = 0; }
+
+  /// Beside the state the only thing on which the next solution depends; none where the next one
+  /// factors its own.
+  std::optional<KeptTangent> kept_tangent() const;
+  /// The next solution is that of the solver that kept it. False where it is of another flag.
+  bool keep(const KeptTangent&);
 
  private:
   const Flag<dim>& flag_;

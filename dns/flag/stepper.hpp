@@ -11,6 +11,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "dns/flag/flag.hpp"
 #include "dns/flag/newton.hpp"
@@ -35,8 +36,9 @@ class FlagStepper {
   /// when and how far it came; the state is then that of the last part that did.
   StepSummary advance(FlagState<dim>&, const LoadsAt&, double dt);
 
-  /// Has the next step factor its own tangent, so that what follows depends on the state alone.
-  void forget_tangent() { newton_.forget_tangent(); }
+  /// As of FlagNewton.
+  std::optional<KeptTangent> kept_tangent() const { return newton_.kept_tangent(); }
+  bool keep(const KeptTangent& tangent) { return newton_.keep(tangent); }
 
  private:
   bool try_advance(FlagState<dim>&, const LoadsAt&, double dt, StepSummary&);

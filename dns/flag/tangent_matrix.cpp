@@ -43,6 +43,8 @@ class TangentMatrix<dim>::Band {
     return info == 0;
   }
   bool factor_if_definite() { return is_definite() && factor(); }
+  TangentFactors factors() const { return {}; }
+  bool factor_again(const TangentFactors&) { return false; }
   void solve(Eigen::VectorXd& b) {
     [[maybe_unused]] const lapack_int info =
         LAPACKE_dgbtrs_work(LAPACK_COL_MAJOR, 'N', unknowns_, width_, width_, 1, factors_.data(),
@@ -125,7 +127,17 @@ class TangentMatrix<dim>::Sparse {
   bool factor() { return factor_if_definite() || factor_general(); }
   bool factor_if_definite() {
     uses_cholesky_ = cholesky_->factor(matrix_);
+    if (uses_cholesky_) factored_ = matrix_.coeffs();
     return uses_cholesky_;
+  }
+  TangentFactors factors() const { return {uses_cholesky_, {factored_.begin(), factored_.end()}}; }
+  bool factor_again(const TangentFactors& earlier) {
+    const std::vector<double>& entries = earlier.entries;
+    if (static_cast<Eigen::Index>(entries.size()) != matrix_.nonZeros() ||
+        !std::ranges::all_of(entries, [](double entry) { return std::isfinite(entry); }))
+      return false;
+    std::ranges::copy(entries, matrix_.valuePtr());
+    return earlier.is_definite ? factor_if_definite() : factor_general();
   }
   void solve(Eigen::VectorXd& b) {
     const bool is_solved = uses_cholesky_ && solve_by_cholesky(b);
@@ -151,6 +163,7 @@ class TangentMatrix<dim>::Sparse {
   bool factor_general() {
     if (!lu_) lu_.emplace(matrix_);
     uses_cholesky_ = false;
+    factored_ = matrix_.coeffs();
     return lu_->factor(matrix_);
   }
   bool solve_by_cholesky(const Eigen::VectorXd& b) {
@@ -196,6 +209,7 @@ class TangentMatrix<dim>::Sparse {
   std::optional<CholeskyFactors> cholesky_;
   std::optional<LuFactors> lu_;  // from the first need
   bool uses_cholesky_ = false;
+  Eigen::ArrayXd factored_;  // the entries that the factors are of
   Eigen::VectorXd solution_, previous_, residual_, correction_;
 };
 
@@ -257,6 +271,16 @@ bool TangentMatrix<dim>::factor() {
 template <int dim>
 bool TangentMatrix<dim>::factor_if_definite() {
   return storage_->factor_if_definite();
+}
+
+template <int dim>
+TangentFactors TangentMatrix<dim>::factors() const {
+  return storage_->factors();
+}
+
+template <int dim>
+bool TangentMatrix<dim>::factor_again(const TangentFactors& earlier) {
+  return storage_->factor_again(earlier);
 }
 
 template <int dim>

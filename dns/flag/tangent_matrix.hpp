@@ -18,6 +18,13 @@
 
 namespace pennon::dns {
 
+/// What the factors of a matrix are of: as good as the factors, which it gives again to the last
+/// bit.
+struct TangentFactors {
+  bool is_definite = false;     ///< Cholesky's factors of the symmetric part; else LU factors
+  std::vector<double> entries;  ///< of the matrix, in an order of its own
+};
+
 template <int dim>
 class TangentMatrix {
  public:
@@ -48,6 +55,11 @@ class TangentMatrix {
   /// The same if the symmetric part is positive definite: then the solution of a force does work
   /// with it. False, and nothing factored, if not.
   bool factor_if_definite();
+  /// What the factors at hand are of; no entries for dim = 2, where they are not kept.
+  TangentFactors factors() const;
+  /// Has them again, and the matrix with them. False, and nothing factored, where the entries are
+  /// not those of a matrix with this pattern, or not of a regular one.
+  bool factor_again(const TangentFactors&);
   /// Solves for the unknowns in place: dim x nodes, held nodes are left as they are. Precondition:
   /// the last factoring succeeded. Exact but for rounding where the matrix is symmetric or dim = 2,
   /// else to about `solution_error` in the norm of the inverse of its symmetric part; NaN if LU

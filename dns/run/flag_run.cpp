@@ -70,14 +70,15 @@ class FlagBody {
   void write(hdf5::Writer* file) const {
     file->attributes({{"step", steps_.taken()}});
     write_state(state_, *file);
+    write_tangent(stepper_.kept_tangent(), *file);
     write_history(history_, *file);
   }
   void read(const hdf5::Reader& file, const fs::path& path) {
     state_ = read_flag_state<dim>(file, flag_.mesh().nodes(), path);
+    keep_tangent_of(file, path, stepper_);
     steps_.go_on_after(static_cast<std::int64_t>(file.number("/", "step", 0)));
     history_ = read_history(file);
   }
-  void forget() { stepper_.forget_tangent(); }
 
   /// The shape at rest under the loads, as the history's only row.
   void find_rest() {

@@ -93,13 +93,15 @@ class CoupledBody : public FlowBody {
     dns::add_shape(flag_, state_.flag.t, state_.flag.x, state_.flag.v, history.shapes);
   }
 
-  void write(hdf5::Writer& file) const override { write_flag_of(state_, energy_at_start_, file); }
+  void write(hdf5::Writer& file) const override {
+    write_flag_of(state_, energy_at_start_, file);
+    write_tangent(coupling_.kept_tangent(), file);
+  }
 
   void read(const hdf5::Reader& file, const std::filesystem::path& path) override {
     energy_at_start_ = read_flag_of(file, flag_.mesh().nodes(), path, state_);
+    keep_tangent_of(file, path, coupling_);
   }
-
-  void forget() override { coupling_.forget_tangent(); }
 
  private:
   FlagEnergies energies() const {

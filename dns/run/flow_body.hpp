@@ -31,8 +31,6 @@ class FlowBody {
   /// What a checkpoint holds beside the fluid's state.
   virtual void write(hdf5::Writer&) const {}
   virtual void read(const hdf5::Reader&, const std::filesystem::path&) {}
-  /// Has the next step depend on the state alone: after a checkpoint.
-  virtual void forget() {}
 };
 
 /// A flag that moves as prescribed.

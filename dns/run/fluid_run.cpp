@@ -114,9 +114,11 @@ class Flow {
     step_ = static_cast<std::int64_t>(file.number("/", "step", 0));
     if (file.contains("/field_times")) field_times_ = file.read("/field_times").values;
     body_->read(file, path);
-    if (file.contains("/history")) history_ = read_fluid_history(file);
+    if (file.contains("/history"))
+      history_ = read_fluid_history(file);
+    else
+      history_.shapes = read_shapes(file);  // stopped before the first row
   }
-  void forget() { body_->forget(); }
 
   FluidRunResult result(const LoopSummary& loop) const {
     FluidRunResult result = most_;

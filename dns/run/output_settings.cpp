@@ -31,7 +31,10 @@ void declare(Schema& schema, OutputSettings& output) {
             "nearest; none: on six at equal intervals",
             not_negative})
       .key({"checkpoint_interval", &output.checkpoint_interval,
-            "between checkpoints, in L/V; 0: at the end only", not_negative})
+            "between checkpoints, in L/V; 0: none at equal times; there is always one at the end",
+            not_negative})
+      .key({"checkpoint_minutes", &output.checkpoint_minutes,
+            "between checkpoints, in minutes that pass by the clock; 0: none", not_negative})
       .key({"probe_x", &output.probe_x,
             "x at rest of the place whose motion is kept; the nearest node is taken", not_negative})
       .key({"probe_y", &output.probe_y, "y at rest of that place", Range{0, 1}});

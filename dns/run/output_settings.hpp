@@ -17,7 +17,8 @@ struct OutputSettings {
   double shape_interval = 0;          ///< 0: none
   std::vector<double> contour_times;  ///< of the shapes whose strain is drawn; empty: a few
   double field_interval = 0;          ///< 0: none
-  double checkpoint_interval = 0;     ///< 0: at the end only
+  double checkpoint_interval = 0;     ///< in L/V; 0: none at equal times
+  double checkpoint_minutes = 5;      ///< of wall time; 0: none as it passes
   double probe_x = 0, probe_y = 1;    ///< at rest: the nearest node's motion is kept
 };
 

@@ -216,6 +216,7 @@ class FlagReader {
   const fs::path& path_;
 };
 
+constexpr const char* tangent_array = "/tangent";
 constexpr const char* coupled_prefix = "flag_";
 
 // Of a coupled flag, whose time is the fluid's.
@@ -280,6 +281,22 @@ double read_flag_of(const hdf5::Reader& file, int nodes, const fs::path& path,
   state.flag.t = state.fluid.t;
   visit(state, FlagReader(coupled_prefix, file, nodes, path));
   return values.back();
+}
+
+void write_tangent(const std::optional<KeptTangent>& tangent, hdf5::Writer& file) {
+  if (!tangent) return;
+  const std::vector<double>& entries = tangent->factors.entries;
+  file.write(tangent_array, {entries.size()}, entries,
+             {{"meaning", "entries of the flag's tangent matrix that was factored last"},
+              {"mass_factor", tangent->mass_factor},
+              {"is_definite", static_cast<std::int64_t>(tangent->factors.is_definite)}});
+}
+
+std::optional<KeptTangent> read_tangent(const hdf5::Reader& file) {
+  if (!file.contains(tangent_array)) return std::nullopt;
+  return KeptTangent{file.number(tangent_array, "mass_factor", 0),
+                     {.is_definite = file.number(tangent_array, "is_definite", 0) != 0,
+                      .entries = file.read(tangent_array).values}};
 }
 
 template void write_state(const FlagState<2>&, hdf5::Writer&);

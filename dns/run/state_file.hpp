@@ -6,9 +6,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
+#include "common/errors.hpp"
 #include "common/io/hdf5.hpp"
 #include "dns/coupling/coupling.hpp"
+#include "dns/flag/newton.hpp"
 #include "dns/fluid/fluid.hpp"
 
 namespace pennon::dns {
@@ -35,5 +38,18 @@ void write_flag_of(const CoupledState<dim>&, double energy_at_start, hdf5::Write
 template <int dim>
 double read_flag_of(const hdf5::Reader&, int nodes, const std::filesystem::path&,
                     CoupledState<dim>&);
+
+/// The tangent of the flag as the array /tangent; nothing without one. Throws FileError.
+void write_tangent(const std::optional<KeptTangent>&, hdf5::Writer&);
+/// None where the file has none.
+std::optional<KeptTangent> read_tangent(const hdf5::Reader&);
+/// Hands it to the solver of a flag. Throws InputError where it is of another flag.
+template <class Solver>
+void keep_tangent_of(const hdf5::Reader& file, const std::filesystem::path& path, Solver& solver) {
+  const std::optional<KeptTangent> tangent = read_tangent(file);
+  if (tangent && !solver.keep(*tangent))
+    throw InputError(path.string(),
+                     "holds at /tangent the matrix of another flag, or none that can be factored");
+}
 
 }  // namespace pennon::dns

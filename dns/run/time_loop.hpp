@@ -42,7 +42,6 @@ concept RunsThroughTime = requires(Body body, const Body& self, hdf5::Writer* fi
   { self.words_of_checkpoint() } -> std::convertible_to<std::string>;
   self.write(file);  ///< all but the kind; null but on the leading rank
   body.read(reader, path);
-  body.forget();  ///< has the next step depend on the state alone, as after a restart
 };
 
 struct LoopSummary {
@@ -69,7 +68,9 @@ class TimeLoop {
     Progress progress(body_.name(), ticks, shows_progress);
     progress.begin_at(ticks_at(body_.time()));
     while (!body_.is_at_end()) {
-      if (ranks::any(is_interrupted())) stop();
+      const Request request = largest_request();
+      if (request == stop_now) stop();
+      if (request == checkpoint_now) write_checkpoint();
       const double before = body_.time();
       step();
       keep_what_is_due(before);
@@ -85,6 +86,15 @@ class TimeLoop {
   static constexpr std::int64_t ticks = 1'000'000;
   std::int64_t ticks_at(double t) const {
     return static_cast<std::int64_t>(static_cast<double>(ticks) * t / t_end_);
+  }
+
+  // What a rank asks for before a step; all do what the largest number says.
+  enum Request { nothing, checkpoint_now, stop_now };
+  Request largest_request() const {
+    const bool is_due = output_.checkpoint_minutes > 0 && ranks::is_leading() &&
+                        since_checkpoint_.seconds() >= 60 * output_.checkpoint_minutes;
+    const Request mine = is_interrupted() ? stop_now : is_due ? checkpoint_now : nothing;
+    return static_cast<Request>(ranks::largest(mine));
   }
 
   void step() {
@@ -122,7 +132,6 @@ class TimeLoop {
 
   void write_checkpoint() {
     const std::filesystem::path path = folder_ / "checkpoint.h5";
-    body_.forget();
     std::optional<hdf5::Writer> file;
     if (ranks::is_leading()) {
       file.emplace(path);
@@ -131,6 +140,7 @@ class TimeLoop {
     body_.write(file ? &*file : nullptr);
     if (file) file->finish();
     summary_.checkpoint = path.string();
+    since_checkpoint_.lap();
   }
 
   void read_checkpoint(const std::filesystem::path& path) {
@@ -146,6 +156,7 @@ class TimeLoop {
   double t_end_;
   const OutputFolder& folder_;
   LoopSummary summary_;
+  StopWatch since_checkpoint_;
 };
 
 }  // namespace pennon::dns

@@ -68,11 +68,31 @@ class Commands : public testing::Test {
     setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
   }
   /// mpiexec -n ranks pennon ...
-  Outcome pennon_on(int ranks, std::vector<std::string> arguments) {
+  pid_t start_in_background_on(int ranks, std::vector<std::string> arguments) {
     allow_ranks();
     arguments.insert(arguments.begin(),
                      {PENNON_MPIEXEC, "-n", std::to_string(ranks), PENNON_EXECUTABLE});
-    return finish(start_program(arguments, folder_ / "out.txt", folder_ / "err.txt"));
+    return start_program(arguments, folder_ / "out.txt", folder_ / "err.txt");
+  }
+  Outcome pennon_on(int ranks, const std::vector<std::string>& arguments) {
+    return finish(start_in_background_on(ranks, arguments));
+  }
+  /// How a run of `arguments` in results(folder), on so many ranks, ends at a signal, a moment
+  /// after it began.
+  Outcome pennon_stopped(int signal, int ranks, std::vector<std::string> arguments,
+                         const std::string& folder) {
+    arguments.insert(arguments.end(), {"--output", results(folder)});
+    // The seconds that mpiexec gives it to leave its files whole, and waits in any case.
+    setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 1);
+    const pid_t child =
+        ranks == 1 ? start_in_background(arguments) : start_in_background_on(ranks, arguments);
+    while (!std::filesystem::exists(results(folder) + "/case.resolved.toml") &&
+           waitpid(child, nullptr, WNOHANG) == 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    unsetenv("OMPI_MCA_odls_base_sigkill_timeout");
+    kill(child, signal);
+    return finish(child);
   }
   /// Runs `arguments` in results(folder), kills the run once it has left a checkpoint, and goes on
   /// from there.
@@ -88,12 +108,14 @@ class Commands : public testing::Test {
     arguments.insert(arguments.end(), {"--restart", checkpoint});
     return pennon(arguments);
   }
-  /// Runs `arguments` whole, in results("whole"), and killed and continued, in results("parts"):
-  /// both come to their end, with the same bits in history.csv.
+  /// Runs `arguments` whole and without a checkpoint on its way, in results("whole"), and killed
+  /// and continued, in results("parts"): both come to their end, with the same bits in history.csv.
   void expect_same_after_termination(const std::vector<std::string>& arguments, Outcome& whole,
                                      Outcome& parts) {
     std::vector<std::string> uninterrupted = arguments;
-    uninterrupted.insert(uninterrupted.end(), {"--output", results("whole")});
+    uninterrupted.insert(uninterrupted.end(),
+                         {"--set", "dns.output.checkpoint_interval=0", "--set",
+                          "dns.output.checkpoint_minutes=0", "--output", results("whole")});
     whole = pennon(uninterrupted);
     ASSERT_EQ(whole.status, done) << whole.err;
     parts = pennon_killed_and_continued(arguments, "parts");

@@ -1,4 +1,5 @@
 /// pennon dns of a flag that the flow moves, as a user runs it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +19,10 @@ using nlohmann::json;
 using test::bad_input;
 using test::done;
 using test::not_converged;
+using test::other;
 using test::Outcome;
+using test::read_text;
+using testing::AllOf;
 using testing::HasSubstr;
 
 class DnsCoupled : public test::Commands {
@@ -74,6 +78,45 @@ TEST_F(DnsCoupled, GoesOnAfterATerminationToTheSameBits) {
       expect_same_after_termination({"dns", file, "--set", "dns.t_end=0.4"}, whole, continued));
   EXPECT_EQ(hdf5::Reader(results("parts") + "/shapes.h5").read("/position/000008").values,
             hdf5::Reader(results("whole") + "/shapes.h5").read("/position/000008").values);
+}
+
+// Of a run of a second and more.
+TEST_F(DnsCoupled, GoesOnAfterAnyInterruptToTheSameBits) {
+  const std::vector<std::string> arguments = {"dns",   in_three_dimensions(),
+                                              "--set", "dns.t_end=0.6",
+                                              "--set", "dns.output.checkpoint_interval=0"};
+  const auto run_whole = [&](int ranks, const std::string& folder,
+                             const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = arguments;
+    words.insert(words.end(), {"--output", results(folder)});
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = ranks == 1 ? pennon(words) : pennon_on(ranks, words);
+    ASSERT_EQ(outcome.status, done) << outcome.err;
+  };
+  const auto expect_the_same = [&](int signal, const char* name, int ranks,
+                                   const std::string& whole) {
+    const std::string folder = name + std::to_string(ranks);
+    const Outcome stopped = pennon_stopped(signal, ranks, arguments, folder);
+    EXPECT_EQ(stopped.status, other) << folder << ": " << stopped.err;
+    // mpiexec passes nothing on any more once it is stopped itself.
+    if (ranks == 1) {
+      EXPECT_THAT(stopped.err,
+                  AllOf(HasSubstr(fmt::format("stopped by {}", name)), HasSubstr("--restart")));
+    }
+    run_whole(ranks, folder, {"--restart", results(folder) + "/checkpoint.h5"});
+    EXPECT_EQ(read_text(results(folder) + "/history.csv"),
+              read_text(results(whole) + "/history.csv"))
+        << folder;
+    const hdf5::Reader shapes(results(folder) + "/shapes.h5");
+    const hdf5::Reader expected(results(whole) + "/shapes.h5");
+    for (const char* shape : {"/position/000000", "/position/000012"})
+      EXPECT_EQ(shapes.read(shape).values, expected.read(shape).values) << folder << shape;
+  };
+  run_whole(1, "whole1");
+  expect_the_same(SIGTERM, "SIGTERM", 1, "whole1");
+  expect_the_same(SIGINT, "Ctrl-C", 1, "whole1");
+  run_whole(2, "whole2");
+  expect_the_same(SIGTERM, "SIGTERM", 2, "whole2");
 }
 
 TEST_F(DnsCoupled, DoesNotDependOnTheNumberOfRanks) {

@@ -140,6 +140,23 @@ TEST(Process, IsToldOfAnInterruptOnlyWhereItAsks) {
   }
 }
 
+TEST(Process, IsKilledWhereItDoesNotEndAtAnInterrupt) {
+  const test::ChildEnd end = in_child([&] {
+    watch_for_interrupts();
+    std::thread later([] {  // when the shell has set its trap
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+      kill(getpid(), SIGTERM);
+    });
+    later.detach();
+    ChildProgram program = shell("trap '' TERM; while :; do sleep 0.1; done");
+    program.is_interruptible = true;
+    ChildEnd child;
+    const double seconds = seconds_of([&] { child = run_program(program); });
+    return child.signal == SIGKILL && seconds < 10 ? 0 : 1;
+  });
+  EXPECT_EQ(end.status, 0);
+}
+
 TEST(Process, EndsWithItsParent) {
   const TemporaryFolder folder;
   const std::filesystem::path sign = folder / "sign";
