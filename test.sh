@@ -84,8 +84,6 @@ case $label in
     "$label"
     exit
     ;;
-esac
-case $label in
   "" | kernels | unit | verification | regression) set_up_tests ;;
   validation) set_up_tests VALIDATION ;;
   bench) set_up_tests BENCHMARKS ;;
@@ -100,7 +98,5 @@ case $label in
     ;;
   bench) ls build/bench/bench_* ;;
   kernels) run_under_kernels ;;
-  *)
-    run_tests --label-regex "^$label\$"
-    ;;
+  *) run_tests --label-regex "^$label\$" ;;
 esac

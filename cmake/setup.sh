@@ -58,8 +58,6 @@ set_up_programs() {
 set_up_tests() {
   install_packages run test
   say "configuring and building in build/"
-  local options=(-D PENNON_TESTS=ON)
-  (($#)) && options+=(-D "PENNON_$1=ON")
-  cmake --preset release "${options[@]}"
+  cmake --preset release ${1:+-D "PENNON_$1=ON"}
   cmake --build --preset release
 }
