@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -31,29 +30,15 @@ std::string title_of(const std::string& label) {
   return label.empty() ? "notitle" : "title " + quoted_text(label);
 }
 
-// What is drawn, in the script's language: the plot command's items, and their data.
-class PlotItems {
- public:
-  // An item of these numbers; `how` is what follows their name in the plot command.
-  void add(const std::string& how, const std::vector<double>& numbers) {
-    items_ += (items_.empty() ? "plot " : ", ") + data_.add(numbers) + ' ' + how;
-  }
-  // An item of points (x, y).
-  void add_points(const std::string& style, const std::vector<double>& x,
-                  const std::vector<double>& y) {
-    assert(x.size() == y.size());
-    if (x.empty()) return;
-    std::vector<double> pairs;
-    for (std::size_t i = 0; i < x.size(); ++i) pairs.insert(pairs.end(), {x[i], y[i]});
-    add(fmt::format("record=({}) format='%double%double' using 1:2 {}", x.size(), style), pairs);
-  }
-  std::string command() const { return (items_.empty() ? "plot NaN notitle" : items_) + '\n'; }
-  const PlotData& data() const { return data_; }
-
- private:
-  std::string items_;
-  PlotData data_;
-};
+// An item of points (x, y).
+void add_points(const std::string& style, const std::vector<double>& x,
+                const std::vector<double>& y, PlotItems& items) {
+  if (x.empty()) return;
+  std::vector<double> pairs;
+  for (std::size_t i = 0; i < x.size(); ++i) pairs.insert(pairs.end(), {x[i], y[i]});
+  items.add(fmt::format("record=({}) format='%double%double' using 1:2 {}", x.size(), style),
+            pairs);
+}
 
 const char* color_of(int index) {
   return line_colors[static_cast<std::size_t>(index) % line_colors.size()];
@@ -97,20 +82,19 @@ Symbol symbol_of(Marker marker) {
 void add_line(const Line& line, bool is_over_field, PlotItems& items) {
   // A light rim keeps a line apart from any colour under it.
   if (is_over_field)
-    items.add_points(fmt::format("with lines lc rgb '#FFFFFF' lw {} notitle", line.width + 1.5),
-                     line.x, line.y);
-  items.add_points(fmt::format("with lines lc rgb '{}' lw {} dt {} {}", color_of(line.color),
-                               line.width, dashes(line.stroke), title_of(line.label)),
-                   line.x, line.y);
+    add_points(fmt::format("with lines lc rgb '#FFFFFF' lw {} notitle", line.width + 1.5), line.x,
+               line.y, items);
+  add_points(fmt::format("with lines lc rgb '{}' lw {} dt {} {}", color_of(line.color), line.width,
+                         dashes(line.stroke), title_of(line.label)),
+             line.x, line.y, items);
 }
 
 void add_marks(const Marks& marks, PlotItems& items) {
   const Symbol symbol = symbol_of(marks.marker);
   const auto add = [&](int number, const char* color, bool is_in_key) {
-    items.add_points(
-        fmt::format("with points pt {} ps {} lw 0.9 lc rgb '{}' {}", number, symbol.size, color,
-                    title_of(is_in_key ? marks.label : std::string())),
-        marks.x, marks.y);
+    add_points(fmt::format("with points pt {} ps {} lw 0.9 lc rgb '{}' {}", number, symbol.size,
+                           color, title_of(is_in_key ? marks.label : std::string())),
+               marks.x, marks.y, items);
   };
   constexpr const char* white = "#FFFFFF";
   const char* color = color_of(marks.color);
@@ -226,7 +210,7 @@ void check(const Figure& figure, const std::string& picture) {
 
 // What is drawn.
 PlotItems items_of(const Figure& figure) {
-  PlotItems items;
+  PlotItems items("plot");
   if (figure.field) add_field(figure, items);
   for (const Line& line : figure.lines) add_line(line, figure.field.has_value(), items);
   for (const Marks& marks : figure.marks) add_marks(marks, items);
@@ -266,8 +250,8 @@ std::vector<std::filesystem::path> draw(const Figure& figure, const std::filesys
   const std::string script = settings_of(figure) + items.command();
   const std::filesystem::path png = stem.string() + ".png";
   const std::filesystem::path svg = stem.string() + ".svg";
-  run_gnuplot(png_terminal() + script, items.data(), png, png_ending);
-  run_gnuplot(svg_terminal() + script, items.data(), svg, svg_ending);
+  run_gnuplot(png_terminal() + script, items, png, png_ending);
+  run_gnuplot(svg_terminal() + script, items, svg, svg_ending);
   return {png, svg};
 }
 

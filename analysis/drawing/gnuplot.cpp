@@ -43,16 +43,20 @@ std::string quoted_text(std::string_view text) {
   return result + "'";
 }
 
-std::string PlotData::add(const std::vector<double>& numbers) {
-  std::string source = fmt::format("'{}' binary skip={}", data_file, bytes_.size());
+void PlotItems::add(std::string_view how, const std::vector<double>& numbers) {
+  items_ += fmt::format("{} '{}' binary skip={} {}", items_.empty() ? "" : ",", data_file,
+                        bytes_.size(), how);
   for (const double number : numbers) {
     const double drawn = std::isfinite(number) ? number : std::numeric_limits<double>::quiet_NaN();
     bytes_.append(reinterpret_cast<const char*>(&drawn), sizeof drawn);
   }
-  return source;
 }
 
-void run_gnuplot(std::string_view script, const PlotData& data,
+std::string PlotItems::command() const {
+  return command_ + (items_.empty() ? " NaN notitle" : items_) + '\n';
+}
+
+void run_gnuplot(std::string_view script, const PlotItems& items,
                  const std::filesystem::path& picture, std::string_view ending) {
   AtomicFile file(picture);
   const std::optional<std::filesystem::path> gnuplot = find_program("gnuplot");
@@ -64,7 +68,7 @@ void run_gnuplot(std::string_view script, const PlotData& data,
                    .arguments = {"-d"},
                    .input = script,
                    .output = file.temporary(),
-                   .data = data.bytes(),
+                   .data = items.bytes(),
                    .unset = {"GNUTERM", "GNUPLOT_LIB", "GNUPLOT_FONTPATH", "GNUPLOT_PS_DIR"}});
   if (!end.is_success() || !file_ends_with(file.temporary(), ending))
     throw FileError(fmt::format("gnuplot could not draw {}: {}", picture.string(),

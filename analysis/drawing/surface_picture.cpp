@@ -16,39 +16,29 @@ namespace {
 
 constexpr int bands = 12;  // of colour
 
-struct Plot {
-  std::string items;
-  PlotData data;
+void add_surface(const Surface& s, PlotItems& items) {
+  std::vector<double> numbers;
+  for (std::size_t n = 0; n < s.rows * s.columns; ++n)
+    numbers.insert(numbers.end(), {s.x[n], s.y[n], s.z[n], s.values[n]});
+  items.add(fmt::format("record=({},{}) format='%double%double%double%double' "
+                        "using 1:2:3:4 with pm3d notitle",
+                        s.columns, s.rows),
+            numbers);
+}
 
-  // `how` is what follows the numbers' name in the plot command.
-  void add(const std::string& how, const std::vector<double>& numbers) {
-    items += (items.empty() ? "splot " : ", ") + data.add(numbers) + ' ' + how;
-  }
-
-  void add_surface(const Surface& s) {
-    std::vector<double> numbers;
-    for (std::size_t n = 0; n < s.rows * s.columns; ++n)
-      numbers.insert(numbers.end(), {s.x[n], s.y[n], s.z[n], s.values[n]});
-    add(fmt::format("record=({},{}) format='%double%double%double%double' "
-                    "using 1:2:3:4 with pm3d notitle",
-                    s.columns, s.rows),
-        numbers);
-  }
-
-  void add_outline(const Surface& s) {
-    std::vector<std::size_t> nodes;
-    for (std::size_t j = 0; j < s.columns; ++j) nodes.push_back(j);
-    for (std::size_t i = 1; i < s.rows; ++i) nodes.push_back((i + 1) * s.columns - 1);
-    for (std::size_t j = s.columns - 1; j-- > 0;) nodes.push_back((s.rows - 1) * s.columns + j);
-    for (std::size_t i = s.rows - 1; i-- > 0;) nodes.push_back(i * s.columns);
-    std::vector<double> numbers;
-    for (const std::size_t n : nodes) numbers.insert(numbers.end(), {s.x[n], s.y[n], s.z[n]});
-    add(fmt::format("record=({}) format='%double%double%double' using 1:2:3 "
-                    "with lines lc rgb '#000000' lw 0.5 notitle",
-                    nodes.size()),
-        numbers);
-  }
-};
+void add_outline(const Surface& s, PlotItems& items) {
+  std::vector<std::size_t> nodes;
+  for (std::size_t j = 0; j < s.columns; ++j) nodes.push_back(j);
+  for (std::size_t i = 1; i < s.rows; ++i) nodes.push_back((i + 1) * s.columns - 1);
+  for (std::size_t j = s.columns - 1; j-- > 0;) nodes.push_back((s.rows - 1) * s.columns + j);
+  for (std::size_t i = s.rows - 1; i-- > 0;) nodes.push_back(i * s.columns);
+  std::vector<double> numbers;
+  for (const std::size_t n : nodes) numbers.insert(numbers.end(), {s.x[n], s.y[n], s.z[n]});
+  items.add(fmt::format("record=({}) format='%double%double%double' using 1:2:3 "
+                        "with lines lc rgb '#000000' lw 0.5 notitle",
+                        nodes.size()),
+            numbers);
+}
 
 // Throws InputError with the name of the picture.
 void check(const SurfacePicture& picture, const std::string& name) {
@@ -88,9 +78,9 @@ constexpr const char* stage =
 
 std::filesystem::path draw(const SurfacePicture& picture, const std::filesystem::path& stem) {
   check(picture, stem.string());
-  Plot plot;
-  for (const Surface& surface : picture.surfaces) plot.add_surface(surface);
-  for (const Surface& surface : picture.surfaces) plot.add_outline(surface);
+  PlotItems items("splot");
+  for (const Surface& surface : picture.surfaces) add_surface(surface, items);
+  for (const Surface& surface : picture.surfaces) add_outline(surface, items);
   const auto [low, high] = range_of(picture);
   const std::string script =
       png_terminal() + stage + sequential_palette(bands) +
@@ -100,9 +90,9 @@ std::filesystem::path draw(const SurfacePicture& picture, const std::filesystem:
           "1,0\n",
           low, high, quoted_text(picture.x_label), quoted_text(picture.y_label),
           quoted_text(picture.z_label), quoted_text(picture.value_label)) +
-      plot.items + '\n';
+      items.command();
   std::filesystem::path png = stem.string() + ".png";
-  run_gnuplot(script, plot.data, png, png_ending);
+  run_gnuplot(script, items, png, png_ending);
   return png;
 }
 

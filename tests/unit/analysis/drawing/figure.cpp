@@ -265,9 +265,9 @@ TEST(Figure, FailsInWordsAndLeavesNothingOnAFullDisk) {
 
 TEST(Gnuplot, FailsInItsOwnWords) {
   const TemporaryFolder folder;
-  EXPECT_THAT(
-      failure_of<FileError>([&] { run_gnuplot("nonsense\n", {}, folder / "figure.png", ""); }),
-      AllOf(HasSubstr("figure.png"), HasSubstr("invalid command")));
+  EXPECT_THAT(failure_of<FileError>(
+                  [&] { run_gnuplot("nonsense\n", PlotItems("plot"), folder / "figure.png", ""); }),
+              AllOf(HasSubstr("figure.png"), HasSubstr("invalid command")));
   EXPECT_THAT(folder.names(), IsEmpty());
 }
 
