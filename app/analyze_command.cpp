@@ -5,6 +5,7 @@
 #include "analysis/figures/of_run.hpp"
 #include "analysis/signal/run_report.hpp"
 #include "app/commands.hpp"
+#include "app/result_folder.hpp"
 #include "app/run_of_case.hpp"
 #include "common/io/atomic_file.hpp"
 
@@ -18,40 +19,57 @@ analysis::Settings settings_of(const Case& the_case, const AnalyzeOptions& optio
   return settings;
 }
 
-void print(const analysis::RunAnalysis& found, const AnalyzeOptions& options,
-           const OutputFolder& folder) {
-  if (options.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"analyze", to_json(found)}}.dump());
-    return;
-  }
-  if (options.quiet) return;
-  fmt::print("{}\n{}", options.run, analysis::text_of(found));
-  for (const std::string& note : found.notes()) fmt::print("  {}\n", note);
-  fmt::print("  results in {}\n", folder.path().string());
+// Of a run in a case's folder beside it, else in it.
+std::filesystem::path folder_for(const std::filesystem::path& run) {
+  const bool is_command_folder =
+      std::filesystem::absolute(run).lexically_normal().filename() == "dns";
+  return (is_command_folder ? run / ".." : run) / "analysis";
+}
+
+std::string text_of(const analysis::RunAnalysis& found, const std::filesystem::path& run,
+                    const OutputFolder& folder) {
+  std::string text = fmt::format("{}\n{}", run.string(), analysis::text_of(found));
+  for (const std::string& note : found.notes()) text += fmt::format("  {}\n", note);
+  return text + fmt::format("  results in {}\n", folder.path().string());
 }
 
 }  // namespace
 
 void run_analyze(const AnalyzeOptions& options) {
+  expect_one_rank("pennon analyze");
   Record record(options.command_line);
-  const std::filesystem::path run = options.run;
+  const std::filesystem::path run = folder_of_run(options.run);
   analysis::require_run_folder(run);
-  const Case the_case(run / "case.resolved.toml", {}, {});
+  Case the_case(run / "case.resolved.toml", {}, {});
+  the_case.analysis = settings_of(the_case, options);
   const analysis::RunAnalysis found = [&] {
     const auto timer = record.time("analyze");
-    return analysis::analyze_run(run, settings_of(the_case, options), context_of(the_case));
+    return analysis::analyze_run(run, the_case.analysis, context_of(the_case));
   }();
-  const OutputFolder folder(options.output.empty() ? run / "analysis"
-                                                   : std::filesystem::path(options.output));
+  const ResultFolder results(
+      (options.output.empty() ? folder_for(run) : std::filesystem::path(options.output))
+          .lexically_normal(),
+      {.command = "analyze",
+       .the_case = resolved_text(the_case.schema),
+       .title = fmt::format("the run in {} with its case", run.string()),
+       .files = {"trailing_edge", "growth", "spanwise_amplitudes", "waterfall", "space_and_time",
+                 "forces", "flag_energy", "energy", "energy_budget", "limit_cycle"},
+       .is_forced = options.force,
+       .follows_run = true});
+  const OutputFolder& folder = results.output();
   analysis::write_tables(found, folder);
-  write_file(folder / "summary.json",
-             nlohmann::ordered_json{{"analyze", to_json(found)}}.dump(2) + "\n");
   {
     const auto timer = record.time("pictures");
     analysis::draw_run(found, folder.path());
   }
+  results.remove_older_files();
   record.write(folder / "record.json", 1);
-  print(found, options, folder);
+  const nlohmann::ordered_json answer{{"analyze", to_json(found)}};
+  write_file(folder / "summary.json", answer.dump(2) + "\n");
+  if (options.json)
+    print(answer.dump() + "\n");
+  else if (!options.quiet)
+    print(text_of(found, run, folder));
 }
 
 }  // namespace pennon::app

@@ -15,15 +15,19 @@ void run_lsa(const Options&);
 /// `pennon modes CASE`: normal modes, and global modes where the case has [modes.global].
 void run_modes(const Options&);
 
-/// `pennon dns CASE`: direct simulation of flag and flow, or of the flag by itself. `restart`: a
-/// checkpoint, or empty.
-void run_dns(const Options&, const std::string& restart);
+struct RestartOptions {
+  std::optional<std::string> checkpoint;  ///< from which the run goes on
+  bool change = false;                    ///< other physics than there are meant
+};
+
+/// `pennon dns CASE`: direct simulation of flag and flow, or of the flag by itself.
+void run_dns(const Options&, const RestartOptions&);
 
 struct AnalyzeOptions {
-  std::string run;                 ///< the folder of the run
-  std::string output;              ///< empty: `analysis` in it
+  std::string run;                 ///< the folder of the run, or of its case
+  std::string output;              ///< empty: `analysis` beside or in the run's folder
   std::optional<double> from, to;  ///< of the linear phase, in place of the case's
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, force = false;
   std::string command_line;
 };
 
@@ -32,11 +36,13 @@ struct AnalyzeOptions {
 void run_analyze(const AnalyzeOptions&);
 
 /// `pennon compare CASE`: local theory, global modes and simulation of the same flag side by side.
-/// `run`: the folder of a run of `pennon dns`; empty: results/<case name>, if there is one there.
+/// `run`: the folder of a run of `pennon dns`, or of its case; empty: results/<case name>, if there
+/// is one there.
 /// Throws InputError where that run is of another flag.
-void run_compare(Options, const std::string& run);
+void run_compare(const Options&, const std::string& run);
 
-/// `pennon plot FILE...`: pictures beside the files. Prints their names unless quiet.
+/// `pennon plot FILE...`: pictures beside the files; of a folder, those of all files in it and in
+/// the commands' folders below it. Prints their names unless quiet.
 void run_plot(const std::vector<std::string>& files, bool quiet);
 
 /// `pennon reference`: the reference of the case file, in Markdown, on standard output.

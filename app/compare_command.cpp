@@ -71,11 +71,14 @@ ComparedModel dns_row(const RunOfCase& run, std::vector<std::string>& notes) {
 
 }  // namespace
 
-void run_compare(Options options, const std::string& run_folder) {
+void run_compare(const Options& options, const std::string& run_folder) {
   const std::string name = std::filesystem::path(options.case_file).stem().string();
   const std::filesystem::path usual = std::filesystem::path("results") / name;
-  if (options.output.empty()) options.output = (usual / "compare").string();
-  const auto expect = [](const Case&) { expect_one_rank(); };
+  std::optional<RunOfCase> run_found;
+  const auto expect = [&](const Case& the_case) {
+    expect_one_rank_for_global_modes();
+    run_found = find_run(the_case, run_folder, usual);
+  };
   const auto work = [&](const Case& the_case, const OutputFolder& folder, Record& record) {
     std::vector<ComparedModel> rows;
     std::vector<std::string> notes;
@@ -86,8 +89,8 @@ void run_compare(Options options, const std::string& run_folder) {
       rows.push_back(global_row(the_case, waves, folder));
     }
     const auto timer = record.time("analyze");
-    if (const std::optional<RunOfCase> run = find_run(the_case, run_folder, usual))
-      rows.push_back(dns_row(*run, notes));
+    if (run_found)
+      rows.push_back(dns_row(*run_found, notes));
     else
       notes.push_back(fmt::format("no simulation to compare with in {}; pennon dns {} makes one",
                                   usual.string(), options.case_file));
@@ -97,7 +100,8 @@ void run_compare(Options options, const std::string& run_folder) {
     return Answer{{{"compare", to_json(rows)}}, text};
   };
   const Asked asked{.flow = true, .lsa = true, .global_modes = true, .compare = true};
-  run({asked, expect, work}, options);
+  run({.name = "compare", .files = {"compare"}, .asked = asked, .expect = expect, .work = work},
+      options);
 }
 
 }  // namespace pennon::app

@@ -49,12 +49,12 @@ std::optional<dns::ShapeFunction> shape_of(const Case& the_case) {
   return modes::InitialShape(initial.A, initial.B, the_case.flag.gamma);
 }
 
-Answer run_fluid(const Case& the_case, const std::optional<std::filesystem::path>& checkpoint,
-                 const OutputFolder& folder, Record& record, const Options& options) {
+Answer run_fluid(const Case& the_case, const dns::Beginning& beginning, const OutputFolder& folder,
+                 Record& record, const Options& options) {
   const dns::FluidRunResult result = [&] {
     const auto timer = record.time("dns");
-    return dns::run_fluid(the_case.dns, the_case.flag, the_case.flow, shape_of(the_case),
-                          checkpoint, folder, !options.quiet && ranks::is_leading());
+    return dns::run_fluid(the_case.dns, the_case.flag, the_case.flow, shape_of(the_case), beginning,
+                          folder, !options.quiet && ranks::is_leading());
   }();
   const auto timer = record.time("pictures");
   if (ranks::is_leading()) analysis::plot(folder / "history.h5");
@@ -78,24 +78,45 @@ Answer run_convergence(const Case& the_case, const OutputFolder& folder, Record&
           fmt::format("{}: {}\n{}", the_case.name, title_of(found), text_of(found))};
 }
 
+// From t = 0, or from the checkpoint that was given.
+dns::Beginning beginning_of(const Case& the_case, const RestartOptions& restart) {
+  const std::string text = resolved_text(the_case.schema);
+  if (!restart.checkpoint) {
+    if (restart.change)
+      throw InputError("--change", "is of a restart: it goes with --restart CHECKPOINT");
+    return {{text, {}}, {}};
+  }
+  if (restart.checkpoint->empty())
+    throw InputError("--restart", fmt::format("is empty; it names a checkpoint, for example "
+                                              "results/{}/dns/checkpoint.h5",
+                                              the_case.name));
+  if (the_case.dns.convergence.is_given || (!the_case.has_flow && the_case.dns.flag.equilibrium))
+    throw InputError("--restart",
+                     "is of a run through time; a convergence study and an equilibrium have no "
+                     "checkpoints");
+  return dns::beginning_at(*restart.checkpoint, text, the_case.dns.t_end, restart.change);
+}
+
 }  // namespace
 
-void run_dns(const Options& options, const std::string& restart) {
-  const auto expect = [](const Case& the_case) {
+void run_dns(const Options& options, const RestartOptions& restart) {
+  dns::Beginning beginning;
+  const auto expect = [&](const Case& the_case) {
     if (!the_case.has_flow && ranks::count() > 1)
       throw InputError("mpiexec", fmt::format("started {} ranks, but a flag by itself runs on one",
                                               ranks::count()));
+    beginning = beginning_of(the_case, restart);
   };
   const auto work = [&](const Case& the_case, const OutputFolder& folder,
                         Record& record) -> Answer {
     if (the_case.dns.convergence.is_given)
       return run_convergence(the_case, folder, record, options);
-    std::optional<std::filesystem::path> checkpoint;
-    if (!restart.empty()) checkpoint = restart;
-    if (the_case.has_flow) return run_fluid(the_case, checkpoint, folder, record, options);
+    for (const dns::CaseChange& change : beginning.the_case.changes)
+      record.add_change(change.t, change.key, change.before, change.after);
+    if (the_case.has_flow) return run_fluid(the_case, beginning, folder, record, options);
     const dns::FlagRunResult result = [&] {
       const auto timer = record.time("dns");
-      return dns::run_flag(the_case.dns, the_case.flag, shape_of(the_case), checkpoint, folder,
+      return dns::run_flag(the_case.dns, the_case.flag, shape_of(the_case), beginning, folder,
                            !options.quiet);
     }();
     const auto timer = record.time("pictures");
@@ -104,7 +125,13 @@ void run_dns(const Options& options, const std::string& restart) {
     return Answer{{{"dns", to_json(result)}},
                   fmt::format("{}: the flag by itself\n{}", the_case.name, text_of(result))};
   };
-  run({{.dns = true}, expect, work}, options);
+  run({.name = "dns",
+       .files = {"history", "shapes", "fields", "checkpoint", "convergence"},
+       .asked = {.dns = true},
+       .expect = expect,
+       .work = work,
+       .checkpoint = [&] { return beginning.checkpoint; }},
+      options);
 }
 
 }  // namespace pennon::app

@@ -75,7 +75,7 @@ ChildProgram global_program(std::vector<std::string> arguments, std::int64_t sha
 
 }  // namespace
 
-void expect_one_rank() {
+void expect_one_rank_for_global_modes() {
   if (ranks::count() > 1)
     throw InputError("mpiexec",
                      fmt::format("started {0} ranks, but pennon itself finds global modes on one; "

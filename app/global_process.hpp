@@ -13,6 +13,6 @@ namespace pennon::app {
 modes::global::Findings solve_global_modes(const modes::global::Problem&, const OutputFolder&);
 
 /// Throws InputError where mpiexec started pennon itself: pennon-global has ranks of its own.
-void expect_one_rank();
+void expect_one_rank_for_global_modes();
 
 }  // namespace pennon::app

@@ -22,7 +22,12 @@ void run_lsa(const Options& options) {
     return Answer{{{"lsa", to_json(result)}},
                   fmt::format("{}: local stability\n{}", the_case.name, text_of(result))};
   };
-  run({{.flow = true, .lsa = true}, {}, work}, options);
+  run({.name = "lsa",
+       .files = {"curve", "map", "neutral", "verdicts"},
+       .asked = {.flow = true, .lsa = true},
+       .expect = [](const Case&) { expect_one_rank("pennon lsa"); },
+       .work = work},
+      options);
 }
 
 }  // namespace pennon::app

@@ -28,7 +28,10 @@ std::string version_text() {
 
 void add_case_options(CLI::App& command, app::Options& options) {
   command.add_option("CASE", options.case_file, "the case file (TOML)")->required();
-  command.add_option("--output", options.output, "folder for the results [results/<case name>]");
+  command.add_option("--output", options.output,
+                     "folder for the results [results/<case name>/<command>]");
+  command.add_flag("--force", options.force,
+                   "replace what the folder holds of another case or command");
   command
       .add_option("--set", options.overrides, "table.key=value in place of the file's; repeatable")
       ->allow_extra_args(false);
@@ -39,9 +42,12 @@ void add_case_options(CLI::App& command, app::Options& options) {
 }
 
 void add_analyze_options(CLI::App& command, app::AnalyzeOptions& options) {
-  command.add_option("RUN", options.run, "the output folder of a coupled run of pennon dns")
+  command
+      .add_option("RUN", options.run, "the folder of a coupled run of pennon dns, or of its case")
       ->required();
-  command.add_option("--output", options.output, "folder for the results [RUN/analysis]");
+  command.add_option("--output", options.output,
+                     "folder for the results [analysis, beside or in the run's folder]");
+  command.add_flag("--force", options.force, "replace what the folder holds of another analysis");
   command.add_option("--from", options.from, "begin of the linear phase, in L/V [sought]");
   command.add_option("--to", options.to, "its end [sought]");
   command.add_flag("--json", options.json, "one JSON object on standard output");
@@ -63,9 +69,9 @@ void add_commands_without_case(CLI::App& app) {
   // For the installation: without a group, so that help does not show them.
   app.add_subcommand("completion", "the completion of these commands by bash")
       ->group("")
-      ->callback([&app] { fmt::print("{}", app::bash_completion(app)); });
+      ->callback([&app] { app::print(app::bash_completion(app)); });
   app.add_subcommand("manual", "the manual page")->group("")->callback([&app] {
-    fmt::print("{}", app::manual_page(app, version()));
+    app::print(app::manual_page(app, version()));
   });
 }
 
@@ -88,13 +94,15 @@ int run(int argc, char** argv) {
       "Example: pennon modes data/cases/table1/C2D.toml --set modes.normal.family=in_vacuo");
   modes->callback([&] { app::run_modes(options); });
 
-  std::string restart;
+  app::RestartOptions restart;
   CLI::App* dns =
       app.add_subcommand("dns",
                          "direct simulation of flag and flow together, of the flag by itself, or "
                          "of the flow about a flag that moves as prescribed");
   add_case_options(*dns, options);
-  dns->add_option("--restart", restart, "go on from this checkpoint");
+  dns->add_option("--restart", restart.checkpoint, "go on from this checkpoint");
+  dns->add_flag("--change", restart.change,
+                "go on with other physics than the checkpoint's, knowingly; the record says so");
   dns->footer("Example: pennon dns data/cases/table1/C2D.toml");
   dns->callback([&] { app::run_dns(options, restart); });
 
@@ -111,14 +119,14 @@ int run(int argc, char** argv) {
       "compare", "local theory, global modes and simulation of the same flag, side by side");
   add_case_options(*compare, options);
   compare->add_option("--run", compared_run,
-                      "folder of the simulation [results/<case name>, if there is one]");
+                      "folder of the simulation, or of its case [results/<case name>]");
   compare->footer("Example: pennon compare data/cases/table1/C2D.toml --run results/C2D");
   compare->callback([&] { app::run_compare(options, compared_run); });
 
   CLI::App* plot = app.add_subcommand("plot", "pictures of output files, beside them");
-  plot->add_option("FILE", files, "HDF5 files that pennon wrote")->required();
+  plot->add_option("FILE", files, "HDF5 files that pennon wrote, or folders of them")->required();
   plot->add_flag("--quiet", options.quiet, "do not print the pictures' names");
-  plot->footer("Example: pennon plot results/C2D/map.h5");
+  plot->footer("Example: pennon plot results/C2D/lsa/map.h5");
   plot->callback([&] { app::run_plot(files, options.quiet); });
 
   add_commands_without_case(app);
@@ -126,7 +134,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {
-    return app.exit(fault) == 0 ? exit_done : exit_bad_input;
+    const int status = app.exit(fault);
+    app::print("");  // what --help and --version have said must have come out
+    return status == 0 ? exit_done : exit_bad_input;
   }
   return exit_done;
 }

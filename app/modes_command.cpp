@@ -13,14 +13,6 @@
 namespace pennon::app {
 namespace {
 
-// Of an earlier run, which may have had more modes, or adjoints.
-void remove_pictures_of_modes(const OutputFolder& folder) {
-  std::vector<std::filesystem::path> old;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-    if (entry.path().filename().string().starts_with("global_modes_mode_")) old.push_back(entry);
-  for (const std::filesystem::path& picture : old) std::filesystem::remove(picture);
-}
-
 Answer normal_modes(const Case& the_case, const OutputFolder& folder, Record& record) {
   const modes::Result result = [&] {
     const auto timer = record.time("modes");
@@ -42,7 +34,6 @@ Answer global_modes(const Case& the_case, const OutputFolder& folder) {
   const modes::global::Findings found = solve_global_modes(problem, folder);
   if (!found.spectrum.modes.empty()) {
     write_tables(found.spectrum, folder);
-    remove_pictures_of_modes(folder);
     analysis::plot(folder / "global_modes.h5");
   }
   Answer answer{to_json(found.spectrum), text_of(found.spectrum)};
@@ -71,7 +62,10 @@ Answer global_modes(const Case& the_case, const OutputFolder& folder) {
 
 void run_modes(const Options& options) {
   const auto expect = [](const Case& the_case) {
-    if (the_case.global_modes.is_given) expect_one_rank();
+    if (the_case.global_modes.is_given)
+      expect_one_rank_for_global_modes();
+    else
+      expect_one_rank("pennon modes");
   };
   const auto work = [](const Case& the_case, const OutputFolder& folder, Record& record) {
     Answer answer = normal_modes(the_case, folder, record);
@@ -83,7 +77,12 @@ void run_modes(const Options& options) {
     }
     return answer;
   };
-  run({{.modes = true}, expect, work}, options);
+  run({.name = "modes",
+       .files = {"modes", "decomposition", "global"},
+       .asked = {.modes = true},
+       .expect = expect,
+       .work = work},
+      options);
 }
 
 }  // namespace pennon::app

@@ -7,7 +7,7 @@ namespace pennon::app {
 
 void run_reference() {
   const Case defaults;
-  fmt::print(
+  print(fmt::format(
       "# The case file\n\n"
       "One TOML file describes a case for every command. This page is generated from the "
       "declarations\nin the code (`pennon reference`); a test keeps it in step. Scales: chord L, "
@@ -16,7 +16,7 @@ void run_reference() {
       "(scale \"linear\" if\nleft out); where a range is asked for, a list of numbers will do "
       "unless "
       "said otherwise.\n{}",
-      reference_text(defaults.schema));
+      reference_text(defaults.schema)));
 }
 
 }  // namespace pennon::app

@@ -2,62 +2,60 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
 
+#include "common/errors.hpp"
 #include "common/io/atomic_file.hpp"
 #include "common/parallel/ranks.hpp"
 #include "common/record/version.hpp"
 
 namespace pennon::app {
-namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+void print(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw FileError("the answer cannot be written to standard output: " +
+                    std::generic_category().message(errno));
 }
 
-// The summary of the folder: what this command found, beside what others found for the same case.
-Json merged_summary(const OutputFolder& folder, bool is_same_case, const Json& found) {
-  Json summary = Json::object();
-  if (is_same_case) {
-    summary = Json::parse(contents(folder / "summary.json"), nullptr, false);
-    if (!summary.is_object()) summary = Json::object();
-  }
-  summary.update(found);
-  return summary;
+void expect_one_rank(const std::string& command) {
+  if (ranks::count() > 1)
+    throw InputError("mpiexec",
+                     fmt::format("started {} ranks, but {} runs on one", ranks::count(), command));
 }
-
-}  // namespace
 
 void run(const Command& command, const Options& options) {
   Record record(options.command_line);
   const Case the_case(options.case_file, options.overrides, command.asked);
   if (command.expect) command.expect(the_case);
-  const std::string resolved =
-      fmt::format("# {} as pennon {} understood it: every key, defaults included.\n{}",
-                  the_case.name, version(), resolved_text(the_case.schema));
+  const std::string resolved = resolved_text(the_case.schema);
+  const std::string title = fmt::format(
+      "{} as version {} understood it: every key, defaults included.", the_case.name, version());
   if (options.check) {
-    if (ranks::is_leading()) fmt::print("{}", resolved);
+    if (ranks::is_leading()) print(fmt::format("# {}\n{}", title, resolved));
     return;
   }
-  const OutputFolder folder(options.output.empty() ? "results/" + the_case.name : options.output);
-  const bool is_same_case = contents(folder / "case.resolved.toml") == resolved;
-  if (ranks::is_leading()) write_file(folder / "case.resolved.toml", resolved);
-
-  const Answer answer = command.work(the_case, folder, record);
+  const ResultFolder folder(options.output.empty()
+                                ? std::filesystem::path("results") / the_case.name / command.name
+                                : std::filesystem::path(options.output),
+                            {.command = command.name,
+                             .the_case = resolved,
+                             .title = title,
+                             .files = command.files,
+                             .checkpoint = command.checkpoint ? command.checkpoint() : std::nullopt,
+                             .is_forced = options.force});
+  const Answer answer = command.work(the_case, folder.output(), record);
   if (!ranks::is_leading()) return;
-  const Json summary = merged_summary(folder, is_same_case, answer.json);
-  write_file(folder / "summary.json", summary.dump(2) + "\n");
-  record.write(folder / "record.json", ranks::count());
+  folder.remove_older_files();
+  const std::filesystem::path& path = folder.output().path();
+  record.write(path / "record.json", ranks::count());
+  write_file(path / "summary.json", answer.json.dump(2) + "\n");
   if (options.json)
-    fmt::print("{}\n", answer.json.dump());
+    print(answer.json.dump() + "\n");
   else if (!options.quiet)
-    fmt::print("{}  results in {}\n", answer.text, folder.path().string());
+    print(fmt::format("{}  results in {}\n", answer.text, path.string()));
 }
 
 }  // namespace pennon::app

@@ -2,47 +2,28 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "analysis/signal/run_history.hpp"
+#include "app/result_folder.hpp"
+#include "common/case/case_difference.hpp"
 #include "common/errors.hpp"
 
 namespace pennon::app {
 namespace {
 
-// The lines of the flag and the stream in a resolved case.
-std::vector<std::string> physics_of(const Case& the_case) {
-  std::istringstream text(resolved_text(the_case.schema));
-  std::vector<std::string> lines;
-  bool is_physics = false;
-  for (std::string line; std::getline(text, line);) {
-    if (line.starts_with("[")) is_physics = line == "[flag]" || line == "[flow]";
-    if (is_physics) lines.push_back(line);
-  }
-  return lines;
+bool is_physics(const std::string& key) {
+  return key.starts_with("flag.") || key.starts_with("flow.");
 }
 
-// The first line in which the run differs, for a sentence; empty: none does.
-std::string difference(const Case& there, const Case& here) {
-  const std::vector<std::string> its = physics_of(there), ours = physics_of(here);
-  for (std::size_t k = 0; k < std::max(its.size(), ours.size()); ++k) {
-    const auto line = [&](const std::vector<std::string>& lines) {
-      return k < lines.size() ? lines[k] : std::string("nothing");
-    };
-    if (line(its) != line(ours)) return fmt::format("{} there, {} here", line(its), line(ours));
-  }
-  return {};
-}
-
+// NaN where the run has not come to its end, or its summary is not one of pennon's.
 double wall_seconds(const std::filesystem::path& folder) {
-  std::ifstream file(folder / "summary.json");
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
-  if (!summary.is_object() || !summary.contains("dns")) return NAN;
-  return summary["dns"].value("wall_s", NAN);
+  const auto summary = nlohmann::json::parse(text_of_file(folder / "summary.json"), nullptr, false);
+  const auto seconds = nlohmann::json::json_pointer("/dns/wall_s");
+  if (!summary.is_object() || !summary.contains(seconds) || !summary[seconds].is_number())
+    return NAN;
+  return summary[seconds].get<double>();
 }
 
 }  // namespace
@@ -55,18 +36,28 @@ analysis::RunContext context_of(const Case& the_case) {
           .kick_end = initial.kick == 0 ? 0 : initial.release + initial.kick_duration};
 }
 
+std::filesystem::path folder_of_run(const std::filesystem::path& given) {
+  const char* name = "history.h5";
+  if (!std::filesystem::exists(given / name) && std::filesystem::exists(given / "dns" / name))
+    return given / "dns";
+  return given;
+}
+
 std::optional<RunOfCase> find_run(const Case& the_case, const std::string& asked,
                                   const std::filesystem::path& usual) {
-  const std::filesystem::path folder = asked.empty() ? usual : std::filesystem::path(asked);
+  const std::filesystem::path folder =
+      folder_of_run(asked.empty() ? usual : std::filesystem::path(asked));
   if (asked.empty() && !std::filesystem::exists(folder / "history.h5")) return std::nullopt;
   analysis::require_run_folder(folder);
   RunOfCase run{folder,
                 std::make_unique<Case>(folder / "case.resolved.toml",
                                        std::span<const std::string>{}, Asked{}),
                 wall_seconds(folder)};
-  if (const std::string what = difference(*run.the_case, the_case); !what.empty())
+  const auto differences = case_differences(resolved_text(run.the_case->schema), folder.string(),
+                                            resolved_text(the_case.schema), is_physics);
+  if (!differences.empty())
     throw InputError("--run", fmt::format("the run in {} is of another flag or stream: {}",
-                                          folder.string(), what));
+                                          folder.string(), text_of(differences)));
   return run;
 }
 

@@ -20,9 +20,13 @@ struct RunOfCase {
 /// What its analysis takes from a case.
 analysis::RunContext context_of(const Case&);
 
+/// The folder of a run of `pennon dns`: the one given, or `dns` in it where that is a case's
+/// folder.
+std::filesystem::path folder_of_run(const std::filesystem::path& given);
+
 /// The run in the folder that was asked for, or, if none was, in the usual one, where there need
-/// not be one. Throws InputError where the run that was asked for is none, and where it is of
-/// another flag or stream than the case.
+/// not be one; either may be a case's folder. Throws InputError where the run that was asked for is
+/// none, and where it is of another flag or stream than the case.
 std::optional<RunOfCase> find_run(const Case&, const std::string& asked,
                                   const std::filesystem::path& usual);
 

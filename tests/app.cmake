@@ -8,6 +8,7 @@ pennon_test(test_app
     regression/app/completion.cpp
     regression/app/coupled.cpp
     regression/app/fluid.cpp
+    regression/app/folders.cpp
     regression/app/global.cpp
     regression/app/named_keys.cpp
   LINK pennon::analysis_figures Boost::headers GTest::gmock)
@@ -19,7 +20,20 @@ pennon_test(test_app_validation
   SEPARATE
     validation/modes/global/convergence.cpp
   LINK pennon::common_case pennon::common_io pennon::common_record fmt::fmt Boost::headers GTest::gmock)
-foreach(program test_app test_app_validation)
+# Files that others may have written, or damaged.
+pennon_test(test_foreign_files
+  SOURCES
+    regression/app/foreign_files.cpp
+    support/foreign_files.cpp
+    support/hdf5_mutator.cpp
+  LINK pennon::app GTest::gmock)
+pennon_test(test_foreign_files_validation
+  SOURCES
+    validation/app/foreign_files.cpp
+    support/foreign_files.cpp
+    support/hdf5_mutator.cpp
+  LINK pennon::app GTest::gmock)
+foreach(program test_app test_app_validation test_foreign_files test_foreign_files_validation)
   if(NOT TARGET ${program})
     continue()
   endif()

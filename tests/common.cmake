@@ -3,6 +3,7 @@ pennon_test(test_common
     support/case_mutator.cpp
     unit/common/interrupt.cpp
     unit/common/progress.cpp
+    unit/common/case/case_difference.cpp
     unit/common/case/case_fuzz.cpp
     unit/common/case/case_reader.cpp
     unit/common/case/nearest_name.cpp
@@ -10,6 +11,7 @@ pennon_test(test_common
     unit/common/case/sweep.cpp
     unit/common/io/atomic_file.cpp
     unit/common/io/csv.cpp
+    unit/common/io/folder_lock.cpp
     unit/common/io/hdf5.cpp
     unit/common/io/output_folder.cpp
     unit/common/io/xdmf.cpp

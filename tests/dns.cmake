@@ -101,6 +101,7 @@ pennon_test(test_coupling_verification
 pennon_test(test_runs
   SOURCES
     unit/dns/run/settings.cpp
+    unit/dns/run/restart.cpp
     unit/dns/run/state_file.cpp
     unit/dns/run/step_control.cpp
   LINK pennon::dns_run GTest::gmock)

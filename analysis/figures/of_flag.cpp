@@ -23,8 +23,10 @@ enum Column : std::size_t {
   total
 };
 
+constexpr std::size_t columns_of_history = 15;
 constexpr std::size_t most_shapes_drawn = 40;
 constexpr std::size_t surfaces_unasked = 6;
+constexpr hsize_t components = 3;  // of a position
 
 std::vector<double> column(const hdf5::Array& history, std::size_t index) {
   std::vector<double> values;
@@ -36,9 +38,9 @@ std::vector<double> column(const hdf5::Array& history, std::size_t index) {
 // The shapes whose strain is drawn: the nearest to the times asked for, or a few at equal
 // intervals.
 std::vector<std::size_t> shapes_with_strain(const hdf5::Reader& file) {
-  const std::vector<double> times = file.read("/shape_times").values;
+  const std::vector<double> times = file.list("/shape_times");
   std::vector<std::size_t> chosen;
-  for (const double asked : file.read("/contour_times").values) {
+  for (const double asked : file.list("/contour_times", hdf5::any_or_none)) {
     const auto distance = [&](double t) { return std::abs(t - asked); };
     chosen.push_back(
         static_cast<std::size_t>(std::ranges::min_element(times, {}, distance) - times.begin()));
@@ -75,7 +77,7 @@ Figure figure_of_flag_history(const hdf5::Reader& file) {
   Figure figure;
   figure.x.label = "{/:Italic tV}/{/:Italic L}";
   figure.y.label = "energy";
-  const hdf5::Array history = file.read("/history");
+  const hdf5::Array history = file.read("/history", {hdf5::any, columns_of_history});
   const std::vector<double> times = column(history, t);
   struct Drawn {
     Column column;
@@ -110,8 +112,7 @@ Figure figure_of_flag_convergence(const hdf5::Reader& file) {
     figure.x = {"1/({/:Italic N} − 1)", true, {}, {}};
     figure.y = {"error of the deflection / {/:Italic L}", true, {}, {}};
   }
-  const std::vector<double> h = file.read("/h").values;
-  const std::vector<double> error = file.read("/error").values;
+  const std::vector<double> h = file.list("/h"), error = file.list("/error", h.size());
   const double order = file.number("/", "order", 0);
   figure.marks.push_back({h, error, "flag", Marker::circle, true, 1});
   // The fitted power through the geometric middle of the points.
@@ -132,10 +133,11 @@ Figure figure_of_flag_shapes(const hdf5::Reader& file) {
   Figure figure;
   figure.x.label = "{/:Italic y}/{/:Italic L}";
   figure.y.label = "{/:Italic z}/{/:Italic L}";
-  const std::vector<double> times = file.read("/shape_times").values;
+  const std::vector<double> times = file.list("/shape_times");
   const std::size_t stride = (times.size() + most_shapes_drawn - 1) / most_shapes_drawn;
   for (std::size_t s = 0; s < times.size(); s += std::max<std::size_t>(stride, 1)) {
-    const hdf5::Array nodes = file.read(array_name("position", s));
+    const hdf5::Array nodes =
+        file.read(array_name("position", s), {hdf5::any, hdf5::any, components});
     Line line;
     for (std::size_t j = 0; j < nodes.shape[1]; ++j) {
       line.x.push_back(nodes.values[3 * j + 1]);
@@ -154,7 +156,11 @@ SurfacePicture picture_of_strain(const hdf5::Reader& file) {
                          "strain along the chord",
                          {}};
   for (const std::size_t s : shapes_with_strain(file)) {
-    const hdf5::Array nodes = file.read(array_name("position", s));
+    const hdf5::Array nodes =
+        file.read(array_name("position", s), {hdf5::any, hdf5::any, components});
+    const hdf5::Shape cells = {nodes.shape[0] - 1, nodes.shape[1] - 1};
+    if (cells[0] == 0 || cells[1] == 0)
+      file.fail(fmt::format("has no cells in {}", array_name("position", s)));
     Surface surface{nodes.shape[0], nodes.shape[1], {}, {}, {}, {}};
     for (std::size_t n = 0; n < nodes.values.size(); n += 3) {
       surface.x.push_back(nodes.values[n]);
@@ -162,7 +168,7 @@ SurfacePicture picture_of_strain(const hdf5::Reader& file) {
       surface.z.push_back(nodes.values[n + 2]);
     }
     surface.values =
-        at_nodes(file.read(array_name("e_1", s)).values, surface.rows, surface.columns);
+        at_nodes(file.read(array_name("e_1", s), cells).values, surface.rows, surface.columns);
     picture.surfaces.push_back(std::move(surface));
   }
   return picture;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include "analysis/drawing/plane_section.hpp"
+#include "analysis/figures/result_parts.hpp"
 
 namespace pennon::analysis {
 namespace {
@@ -13,12 +15,12 @@ namespace {
 // The column of a history that has a name.
 std::vector<double> column(const hdf5::Reader& file, const hdf5::Array& history,
                            const std::string& name) {
-  const std::string names = file.text("/history", "columns") + ",";
-  std::size_t index = 0, at = 0;
-  while (names.substr(at, names.find(',', at) - at) != name) {
-    at = names.find(',', at) + 1;
-    ++index;
-  }
+  std::istringstream names(file.text("/history", "columns"));
+  std::size_t index = 0;
+  std::string found;
+  while (std::getline(names, found, ',') && found != name) ++index;
+  if (found != name || index >= history.shape[1])
+    file.fail(fmt::format("has no column {} in /history", name));
   std::vector<double> values;
   for (std::size_t row = 0; row < history.shape[0]; ++row)
     values.push_back(history.values[row * history.shape[1] + index]);
@@ -31,7 +33,7 @@ Figure figure_of_fluid_history(const hdf5::Reader& file) {
   Figure figure;
   figure.x.label = "{/:Italic tV}/{/:Italic L}";
   figure.y.label = "force coefficient";
-  const hdf5::Array history = file.read("/history");
+  const hdf5::Array history = file.read("/history", {hdf5::any, hdf5::any});
   const std::vector<double> t = column(file, history, "t");
   figure.lines.push_back({t, column(file, history, "C_D"), "{/:Italic C_D}", Stroke::solid, 1});
   figure.lines.push_back({t, column(file, history, "C_L"), "{/:Italic C_L}", Stroke::dashed, 2});
@@ -46,8 +48,8 @@ Figure figure_of_trailing_edge(const hdf5::Reader& file) {
   Figure figure;
   figure.x.label = "{/:Italic tV}/{/:Italic L}";
   figure.y.label = "{/:Italic z}/{/:Italic L} of the trailing edge";
-  const std::vector<double> t = column(file, file.read("/history"), "t");
-  const hdf5::Array edge = file.read("/trailing_edge");
+  const std::vector<double> t = column(file, file.read("/history", {hdf5::any, hdf5::any}), "t");
+  const hdf5::Array edge = file.read("/trailing_edge", {t.size(), hdf5::any, components});
   const std::size_t planes = edge.shape[1], drawn = std::min(planes, stations_drawn);
   for (std::size_t k = 0; k < drawn; ++k) {
     const std::size_t m = k * planes / drawn;
@@ -65,7 +67,7 @@ Figure figure_of_trailing_edge(const hdf5::Reader& file) {
 
 Figure figure_of_fluid_fields(const hdf5::Reader& file) {
   constexpr PlaneWindow flag_and_wake{-0.5, 4.5, -1.25, 1.25};
-  const hdf5::Array points = file.read("/points"), omega = file.read("/omega_x");
+  const auto [points, omega] = section_arrays(file, "/omega_x");
   FigureField field = plane_section(points, omega, flag_and_wake);
   field.label = "{/:Italic ω_x L}/{/:Italic V}";
   field.is_diverging = true;

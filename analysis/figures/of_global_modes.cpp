@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "analysis/drawing/plane_section.hpp"
+#include "analysis/figures/result_parts.hpp"
 #include "common/shape_phases.hpp"
 
 namespace pennon::analysis {
@@ -17,8 +18,8 @@ constexpr PlaneWindow flag_and_wake{-0.25, 2.75, -0.9, 0.9};
 constexpr PlaneWindow about_flag{-0.15, 1.35, -0.45, 0.45};
 
 std::string title_of(const hdf5::Reader& file, std::size_t mode) {
-  const double growth = file.read("/growth").values[mode - 1],
-               omega = file.read("/omega").values[mode - 1];
+  const std::vector<double> all = file.list("/growth");
+  const double growth = all[mode - 1], omega = file.list("/omega", all.size())[mode - 1];
   return fmt::format("mode {}: λL/V = {}{:.4g} {} {:.4g} i", mode, growth < 0 ? "−" : "",
                      std::abs(growth), omega < 0 ? "−" : "+", std::abs(omega));
 }
@@ -34,10 +35,9 @@ Figure shapes_of(const hdf5::Reader& file, std::size_t mode) {
   figure.y.low = -1.1;
   figure.y.high = 1.1;
   const std::string group = fmt::format("/mode_{}/", mode);
-  const std::vector<double> y = file.read("/y").values,
-                            real = file.read(group + "zeta_real").values,
-                            imaginary = file.read(group + "zeta_imag").values,
-                            shapes = file.read(group + "shapes").values;
+  const std::vector<double> y = file.list("/y"), real = file.list(group + "zeta_real", y.size()),
+                            imaginary = file.list(group + "zeta_imag", y.size());
+  const hdf5::Array shapes = file.read(group + "shapes", {shape_phases.size(), y.size()});
   constexpr int light = 6;
   for (const double side : {1.0, -1.0}) {
     Line envelope{y, {}, "", Stroke::solid, light, 1};
@@ -48,7 +48,7 @@ Figure shapes_of(const hdf5::Reader& file, std::size_t mode) {
   }
   figure.lines.back().label = "envelope";
   for (std::size_t k = 0; k < shape_phases.size(); ++k) {
-    const auto begin = shapes.begin() + static_cast<std::ptrdiff_t>(k * y.size());
+    const auto begin = shapes.values.begin() + static_cast<std::ptrdiff_t>(k * y.size());
     figure.lines.push_back({y,
                             {begin, begin + static_cast<std::ptrdiff_t>(y.size())},
                             fmt::format("{}°", shape_phases[k]),
@@ -60,8 +60,7 @@ Figure shapes_of(const hdf5::Reader& file, std::size_t mode) {
 
 Figure section_of(const hdf5::Reader& file, std::size_t mode, const std::string& array,
                   const PlaneWindow& window, const char* label, bool is_diverging) {
-  const hdf5::Array points = file.read("/points"),
-                    values = file.read(fmt::format("/mode_{}/{}", mode, array));
+  const auto [points, values] = section_arrays(file, fmt::format("/mode_{}/{}", mode, array));
   FigureField field = plane_section(points, values, window);
   field.label = label;
   field.is_diverging = is_diverging;
@@ -80,9 +79,9 @@ Figure along_flag(const hdf5::Reader& file, std::size_t mode) {
   figure.y.label =
       "wavemaker on the flag, {/:Italic L} |{/:Italic p_f}| |∂{/:Italic ζ}/∂{/:Italic t}|";
   figure.y.low = 0;
-  figure.lines.push_back({file.read("/y").values,
-                          file.read(fmt::format("/mode_{}/flag_wavemaker", mode)).values, "",
-                          Stroke::solid, 1});
+  const std::vector<double> y = file.list("/y");
+  figure.lines.push_back(
+      {y, file.list(fmt::format("/mode_{}/flag_wavemaker", mode), y.size()), "", Stroke::solid, 1});
   return figure;
 }
 
@@ -95,8 +94,8 @@ Figure figure_of_spectrum(const hdf5::Reader& file) {
     figure.title += fmt::format(", k_x L = {:.4g}", k_x);
   figure.x.label = "angular frequency Im {/:Italic λL}/{/:Italic V}";
   figure.y.label = "growth rate Re {/:Italic λL}/{/:Italic V}";
-  const std::vector<double> growth = file.read("/growth").values,
-                            omega = file.read("/omega").values;
+  const std::vector<double> growth = file.list("/growth"),
+                            omega = file.list("/omega", growth.size());
   constexpr int blue = 1, vermilion = 2;
   Marks grows{{}, {}, "grows", Marker::circle, true, vermilion},
       decays{{}, {}, "decays", Marker::circle, false, blue};
@@ -117,7 +116,8 @@ Figure figure_of_spectrum(const hdf5::Reader& file) {
 
 std::vector<NamedFigure> figures_of_global_modes(const hdf5::Reader& file) {
   std::vector<NamedFigure> figures;
-  const std::size_t count = std::min<std::size_t>(file.shape("/growth")[0], most_modes_drawn);
+  const std::size_t count =
+      std::min<std::size_t>(file.shape("/growth", {hdf5::any})[0], most_modes_drawn);
   for (std::size_t mode = 1; mode <= count; ++mode) {
     const std::string name = fmt::format("mode_{}_", mode);
     figures.push_back({name + "shape", shapes_of(file, mode)});

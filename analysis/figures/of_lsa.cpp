@@ -56,7 +56,8 @@ void leave_stable_side_white(FigureField& field) {
 FigureField field_of(const hdf5::Reader& file) {
   const std::string name = file.text("/", "picture");
   const std::string array = "/fields/" + name;
-  const hdf5::Shape shape = file.shape(array);
+  const hdf5::Shape x = file.shape("/x", {hdf5::any}), y = file.shape("/y", {hdf5::any});
+  const hdf5::Shape shape = file.shape(array, {y[0], x[0]});
   const hdf5::Shape strides = {thinning(shape[0]), thinning(shape[1])};
   FigureField field{file.read_every("/x", {strides[1]}).values,
                     file.read_every("/y", {strides[0]}).values,
@@ -73,12 +74,11 @@ Figure figure_of_curve(const hdf5::Reader& file) {
   figure.title = file.text("/", "title");
   figure.x = axis_of(file, "/x");
   figure.y = axis_of(file, "/values");
-  const std::vector<double> x = file.read("/x").values;
+  const std::vector<double> x = file.list("/x");
   fit(figure.x, x);
-  const hdf5::Array values = file.read("/values");
   const bool is_family = file.contains("/family");
-  const std::vector<double> family =
-      is_family ? file.read("/family").values : std::vector<double>{none};
+  const std::vector<double> family = is_family ? file.list("/family") : std::vector<double>{none};
+  const hdf5::Array values = file.read("/values", {family.size(), x.size()});
   for (std::size_t i = 0; i < family.size(); ++i)
     figure.lines.push_back({x, row(values, i), is_family ? member_label(file, family[i]) : "",
                             stroke(i), static_cast<int>(i)});
@@ -92,10 +92,13 @@ Figure figure_of_map(const hdf5::Reader& file) {
   figure.x = axis_of(file, "/x");
   figure.y = axis_of(file, "/y");
   figure.field = field_of(file);
-  if (file.contains("/neutral/x"))
-    figure.lines.push_back({file.read("/neutral/x").values, file.read("/neutral/y").values,
+  if (file.contains("/neutral/x")) {
+    const std::vector<double> x = file.list("/neutral/x", hdf5::any_or_none),
+                              y = file.list("/neutral/y", x.size());
+    figure.lines.push_back({x, y,
                             file.text("/neutral/x", "label", "neutral curve {/:Italic P} = 0"),
                             Stroke::solid, 0, 2.0});
+  }
   figure.marks = outcome_marks(file);
   return figure;
 }
@@ -106,17 +109,17 @@ Figure figure_of_verdicts(const hdf5::Reader& file) {
   figure.x = axis_of(file, "/x");
   figure.y = axis_of(file, "/values");
   figure.y.low = 0;
-  const std::vector<double> x = file.read("/x").values;
+  const std::vector<double> x = file.list("/x");
   fit(figure.x, x);
-  const hdf5::Array values = file.read("/values");
-  const std::vector<double> spans = file.read("/family").values;
+  const std::vector<double> spans = file.list("/family");
+  const hdf5::Array values = file.read("/values", {spans.size(), x.size()});
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const std::string label =
         spans[i] == 0 ? "2D"
                       : fmt::format("{{/:Italic γ}} = {:.3g}", 2 * std::numbers::pi / spans[i]);
     figure.lines.push_back({x, row(values, i), label, stroke(i), static_cast<int>(i + 1)});
   }
-  const std::vector<double> mass_ratios = file.read("/mu").values;
+  const std::vector<double> mass_ratios = file.list("/mu");
   figure.y.high = 1.3 * *std::ranges::max_element(mass_ratios);
   for (std::size_t i = 0; i < mass_ratios.size(); ++i)
     figure.lines.push_back({{x.front(), x.back()},
@@ -126,7 +129,7 @@ Figure figure_of_verdicts(const hdf5::Reader& file) {
                             0,
                             1.0});
   if (file.contains("/reproduced")) {
-    const std::vector<double> ends = file.read("/reproduced").values;
+    const std::vector<double> ends = file.read("/reproduced", {hdf5::any_or_none, 2}).values;
     for (std::size_t i = 0; i < ends.size(); ++i)
       figure.lines.push_back({{ends[i], ends[i]},
                               {0, *figure.y.high},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "analysis/figures/result_parts.hpp"
 #include "analysis/figures/symbol.hpp"
@@ -34,9 +35,10 @@ void add_local_theories(const hdf5::Reader& file, Figure& figure) {
   int color = 1;
   for (const auto& [array, label] : local_theories) {
     const std::string group = std::string("/local/") + array;
-    if (file.contains(group + "/x"))
-      figure.lines.push_back({file.read(group + "/x").values, file.read(group + "/y").values, label,
-                              Stroke::dashed, color});
+    if (file.contains(group + "/x")) {
+      std::vector<double> x = file.list(group + "/x"), y = file.list(group + "/y", x.size());
+      figure.lines.push_back({std::move(x), std::move(y), label, Stroke::dashed, color});
+    }
     ++color;
   }
 }
@@ -48,7 +50,7 @@ Figure figure_of_neutral_curve(const hdf5::Reader& file) {
   figure.title = file.text("/", "title");
   figure.x = axis_of(file, "/x");
   figure.y.label = label_of(file, "/mu_cr");
-  const std::vector<double> x = file.read("/x").values, mu = file.read("/mu_cr").values;
+  const std::vector<double> x = file.list("/x"), mu = file.list("/mu_cr", x.size());
   fit(figure.x, x);
   figure.lines.push_back({x, mu, "global modes", Stroke::solid, 0, 2.5});
   add_local_theories(file, figure);
@@ -58,7 +60,7 @@ Figure figure_of_neutral_curve(const hdf5::Reader& file) {
   for (const Marks& marks : figure.marks) top = highest(marks.y, top);
   figure.y.low = 0;
   figure.y.high = headroom * top;
-  const hdf5::Array branches = file.read("/branches");
+  const hdf5::Array branches = file.read("/branches", {hdf5::any_or_none, x.size()});
   for (std::size_t b = 0; b < branches.shape[0]; ++b) {
     const auto begin = branches.values.begin() + static_cast<std::ptrdiff_t>(b * x.size());
     figure.lines.push_back({x,

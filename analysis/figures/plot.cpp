@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "analysis/drawing/figure.hpp"
 #include "analysis/figures/of_flag.hpp"
 #include "analysis/figures/of_fluid.hpp"
-#include "analysis/figures/of_global_modes.hpp"
 #include "analysis/figures/of_lsa.hpp"
 #include "analysis/figures/of_modes.hpp"
 #include "analysis/figures/of_neutral.hpp"
@@ -35,22 +37,29 @@ Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> plot(const std::filesystem::path& path) {
+Pictures pictures_of(const std::filesystem::path& path) {
   const hdf5::Reader file(path);
+  const std::string kind = file.text("/", "kind");
+  Pictures pictures;
+  pictures.figures.push_back({"", figure_of(path, file)});
+  if (kind == "flag_shapes" && file.shape("/position/000000", {hdf5::any, hdf5::any, 3})[0] > 1)
+    pictures.strain = picture_of_strain(file);
+  if (kind == "coupled_history")
+    pictures.figures.push_back({"trailing_edge", figure_of_trailing_edge(file)});
+  if (kind == "global_modes")
+    std::ranges::move(figures_of_global_modes(file), std::back_inserter(pictures.figures));
+  return pictures;
+}
+
+std::vector<std::filesystem::path> plot(const std::filesystem::path& path) {
+  const Pictures found = pictures_of(path);
   std::filesystem::path stem = path;
   stem.replace_extension();
-  std::vector<std::filesystem::path> pictures = draw(figure_of(path, file), stem);
-  if (file.text("/", "kind") == "flag_shapes" && file.shape("/position/000000")[0] > 1)
-    pictures.push_back(draw(picture_of_strain(file), stem.string() + "_strain"));
-  if (file.text("/", "kind") == "coupled_history")
-    for (const std::filesystem::path& picture :
-         draw(figure_of_trailing_edge(file), stem.string() + "_trailing_edge"))
-      pictures.push_back(picture);
-  if (file.text("/", "kind") == "global_modes")
-    for (const NamedFigure& named : figures_of_global_modes(file))
-      for (const std::filesystem::path& picture :
-           draw(named.figure, stem.string() + "_" + named.name))
-        pictures.push_back(picture);
+  std::vector<std::filesystem::path> pictures;
+  for (const auto& [name, figure] : found.figures)
+    std::ranges::copy(draw(figure, name.empty() ? stem.string() : stem.string() + "_" + name),
+                      std::back_inserter(pictures));
+  if (found.strain) pictures.push_back(draw(*found.strain, stem.string() + "_strain"));
   return pictures;
 }
 

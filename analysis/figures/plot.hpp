@@ -6,9 +6,21 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "analysis/drawing/surface_picture.hpp"
+#include "analysis/figures/of_global_modes.hpp"
+
 namespace pennon::analysis {
+
+/// What is drawn of a file, read and checked.
+struct Pictures {
+  std::vector<NamedFigure> figures;  ///< the first has no name: it is the file's own
+  std::optional<SurfacePicture> strain;
+};
+/// Throws InputError where the file is none of pennon's, or damaged.
+Pictures pictures_of(const std::filesystem::path& file);
 
 /// Draws the picture of an output file beside it, map.png and map.svg for map.h5, and returns the
 /// names of the pictures. Some files have more pictures: the shapes of a flag with a span also

@@ -1,5 +1,7 @@
 #include "analysis/figures/result_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -24,17 +26,34 @@ bool has_nonzero(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return value != 0; });
 }
 
+SectionArrays section_arrays(const hdf5::Reader& file, const std::string& array) {
+  const hdf5::Shape cells = file.shape(array);
+  const bool has_planes = cells.size() == 3;
+  if (cells.size() != 2 && !has_planes)
+    file.fail(
+        fmt::format("has an array {} of {} indices, where rho and theta, or x, rho and theta "
+                    "are needed",
+                    array, cells.size()));
+  hdf5::Shape corners;
+  for (const hsize_t count : cells) {
+    if (count == 0) file.fail(fmt::format("has no values in {}", array));
+    corners.push_back(count + 1);
+  }
+  corners.push_back(has_planes ? 3 : 2);
+  return {file.read("/points", corners), file.read(array)};
+}
+
 std::vector<Marks> outcome_marks(const hdf5::Reader& file) {
   if (!file.contains("/marks/x")) return {};
-  const hdf5::Array x = file.read("/marks/x");
-  const hdf5::Array y = file.read("/marks/y");
-  const hdf5::Array unstable = file.read("/marks/unstable");
+  const std::vector<double> x = file.list("/marks/x", hdf5::any_or_none),
+                            y = file.list("/marks/y", x.size()),
+                            unstable = file.list("/marks/unstable", x.size());
   Marks stable_marks{{}, {}, "stable in the table", Marker::square, false, 0};
   Marks unstable_marks{{}, {}, "unstable in the table", Marker::square, true, 0};
-  for (std::size_t i = 0; i < x.values.size(); ++i) {
-    Marks& marks = unstable.values[i] > 0 ? unstable_marks : stable_marks;
-    marks.x.push_back(x.values[i]);
-    marks.y.push_back(y.values[i]);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Marks& marks = unstable[i] > 0 ? unstable_marks : stable_marks;
+    marks.x.push_back(x[i]);
+    marks.y.push_back(y[i]);
   }
   std::vector<Marks> drawn;
   for (Marks* marks : {&stable_marks, &unstable_marks})

@@ -18,6 +18,13 @@ void fit(FigureAxis&, const std::vector<double>& increasing);
 /// Whether a line of these values is worth drawing: one of them differs from zero.
 bool has_nonzero(const std::vector<double>& values);
 
+/// The corners /points and an array of the cells between them, as plane_section() takes them.
+struct SectionArrays {
+  hdf5::Array points, values;
+};
+/// Throws InputError where they do not fit together.
+SectionArrays section_arrays(const hdf5::Reader&, const std::string& array);
+
 /// The outcomes of a table at /marks: the stable ones as open squares, the unstable ones as filled
 /// ones. Empty where the file has none.
 std::vector<Marks> outcome_marks(const hdf5::Reader&);

@@ -54,7 +54,7 @@ class HistoryFile {
 
  private:
   void read_columns(RunHistory& history) const {
-    const hdf5::Array rows = array("/history", 2);
+    const hdf5::Array rows = file_.read("/history", {hdf5::any, hdf5::any});
     const std::vector<std::string> names = split(file_.text("/history", "columns"));
     if (names.size() != rows.shape[1])
       throw InputError(path_, fmt::format("has {} columns in /history, but its attribute `columns` "
@@ -85,8 +85,8 @@ class HistoryFile {
   }
 
   void read_trailing_edge(RunHistory& history) const {
-    const hdf5::Array edge = array("/trailing_edge", 3);
-    expect_shape("/trailing_edge", edge.shape, {history.t.size(), edge.shape[1], components});
+    const hdf5::Array edge =
+        file_.read("/trailing_edge", {history.t.size(), hdf5::any, components});
     history.z.resize(edge.shape[1]);
     for (std::size_t row = 0; row < edge.shape[0]; ++row)
       for (std::size_t m = 0; m < edge.shape[1]; ++m)
@@ -97,12 +97,12 @@ class HistoryFile {
 
   void read_probes(RunHistory& history) const {
     if (!file_.contains("/probes")) return;
-    const hdf5::Array all = array("/probes", 4), y = array("/probe_y", 1), z = array("/probe_z", 1);
-    const std::size_t probes = y.values.size(), planes = history.planes();
-    expect_shape("/probe_z", z.shape, {probes});
-    expect_shape("/probes", all.shape, {history.t.size(), probes, planes, probe_values});
+    const std::vector<double> y = file_.list("/probe_y");
+    const std::size_t probes = y.size(), planes = history.planes();
+    const std::vector<double> z = file_.list("/probe_z", probes);
+    const hdf5::Array all = file_.read("/probes", {history.t.size(), probes, planes, probe_values});
     for (std::size_t k = 0; k < probes; ++k) {
-      ProbeHistory probe{y.values[k], z.values[k], {}, {}};
+      ProbeHistory probe{y[k], z[k], {}, {}};
       probe.v.resize(planes);
       probe.w.resize(planes);
       bool is_inside = true;
@@ -118,20 +118,6 @@ class HistoryFile {
     }
   }
 
-  hdf5::Array array(const std::string& name, std::size_t rank) const {
-    hdf5::Array found = file_.read(name);
-    if (found.shape.size() != rank)
-      throw InputError(path_, fmt::format("has an array {} of {} indices, where {} were expected",
-                                          name, found.shape.size(), rank));
-    return found;
-  }
-  void expect_shape(const char* name, const hdf5::Shape& found, const hdf5::Shape& right) const {
-    for (std::size_t d = 0; d < right.size(); ++d)
-      if (found[d] != right[d])
-        throw InputError(path_, fmt::format("has {} entries along index {} of {}, where {} were "
-                                            "expected",
-                                            found[d], d, name, right[d]));
-  }
   double finite(double value, const char* name, std::size_t row) const {
     if (!std::isfinite(value))
       throw InputError(path_,

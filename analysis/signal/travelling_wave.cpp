@@ -61,16 +61,17 @@ struct ShapeWaves {
 ShapeWaves read_shapes(const std::filesystem::path& file_name, const LimitCycle& cycle,
                        std::size_t n, std::size_t stations) {
   const hdf5::Reader file(file_name);
-  const std::vector<double> all = file.read("/shape_times").values;
+  const std::vector<double> all = file.list("/shape_times");
+  hsize_t nodes_of_chord = hdf5::any;
   ShapeWaves waves;
   for (std::size_t s = 0; s < all.size(); ++s) {
     if (all[s] < cycle.from || all[s] > cycle.to) continue;
-    const hdf5::Array nodes = file.read(fmt::format("/position/{:06}", s));
-    if (nodes.shape.size() != 3 || nodes.shape[0] != stations + 1)
-      throw InputError(
-          file_name.string(),
+    const hdf5::Array nodes =
+        file.read(fmt::format("/position/{:06}", s), {hdf5::any, nodes_of_chord, 3});
+    if (nodes.shape[0] != stations + 1)
+      file.fail(
           fmt::format("has shapes of another span than the {} stations of history.h5", stations));
-    const std::size_t chord = nodes.shape[1];
+    const std::size_t chord = nodes_of_chord = nodes.shape[1];
     const auto first = static_cast<std::size_t>((1 - chord_share) * static_cast<double>(chord - 1));
     waves.y.resize(chord - first, 0.0);
     waves.components.resize(chord - first);

@@ -1,5 +1,7 @@
 #include "common/case/echo.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -21,10 +23,32 @@ std::string shortened(const std::string& text) {
   return end < text.size() ? text.substr(0, end) + "..." : text;
 }
 
-std::string echo(const toml::node& node) {
+std::string toml_of(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string toml_of(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return toml_of(number->get());
+  if (const toml::array* list = node.as_array()) {
+    std::string text = "[";
+    for (const toml::node& value : *list) text += (text.size() > 1 ? ", " : "") + toml_of(value);
+    return text + "]";
+  }
+  if (const toml::table* table = node.as_table()) {
+    std::string text = "{";
+    for (const auto& [name, value] : *table)
+      text += fmt::format("{} {} = {}", text.size() > 1 ? "," : "", name.str(), toml_of(value));
+    return text + (text.size() > 1 ? " }" : "}");
+  }
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
-  std::string shown = text.str();
+  return text.str();
+}
+
+std::string echo(const toml::node& node) {
+  std::string shown = toml_of(node);
   std::replace(shown.begin(), shown.end(), '\n', ' ');
   return shortened(shown);
 }

@@ -9,7 +9,11 @@ namespace pennon {
 /// The text, cut between two letters and with "..." behind it where it is longer than 60 bytes.
 std::string shortened(const std::string& text);
 
-/// A value on one line, as TOML writes it, shortened.
+/// A value as TOML; numbers with as few digits as read back to the same bits.
+std::string toml_of(double);
+std::string toml_of(const toml::node&);
+
+/// A value on one line, as TOML, shortened.
 std::string echo(const toml::node& node);
 
 /// A name, shortened: in quotes, with its control characters escaped, unless it is bare.

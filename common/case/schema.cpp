@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "common/case/echo.hpp"
+
 namespace pennon {
 namespace {
 
-// A double as TOML that reads back to the same bits: fmt prints the shortest such digits.
 std::string toml(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
+  return toml_of(value);
 }
 std::string toml(std::int64_t value) {
   return fmt::format("{}", value);

@@ -2,10 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "common/errors.hpp"
 
@@ -17,9 +25,24 @@ namespace {
                               std::generic_category().message(error)));
 }
 
-std::filesystem::path temporary_name(const std::filesystem::path& final_path) {
-  return final_path.parent_path() / fmt::format(".{}.{}.tmp{}", final_path.stem().string(),
-                                                getpid(), final_path.extension().string());
+constexpr std::size_t random_digits = 16;
+constexpr std::string_view temporary_mark = ".tmp";
+
+// The process in a temporary name; 0: the name is none.
+pid_t process_of(const std::string& name) {
+  const std::size_t mark = name.rfind(temporary_mark);
+  const std::size_t dash = name.rfind('-', mark);
+  if (!name.starts_with('.') || mark == std::string::npos || dash == std::string::npos) return 0;
+  const std::size_t dot = name.rfind('.', dash);
+  const auto is_made_of = [&](std::size_t begin, std::size_t end, int (*kind)(int)) {
+    return begin < end && std::all_of(name.begin() + static_cast<std::ptrdiff_t>(begin),
+                                      name.begin() + static_cast<std::ptrdiff_t>(end),
+                                      [kind](unsigned char c) { return kind(c) != 0; });
+  };
+  if (dot == std::string::npos || !is_made_of(dot + 1, dash, std::isdigit) ||
+      mark - dash - 1 != random_digits || !is_made_of(dash + 1, mark, std::isxdigit))
+    return 0;
+  return static_cast<pid_t>(std::strtol(name.c_str() + dot + 1, nullptr, 10));
 }
 
 }  // namespace
@@ -33,7 +56,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::finish() {
-  const int file = open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = open(temporary_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0) fail(temporary_, errno);
   const int failure = fsync(file) == 0 ? 0 : errno;
   close(file);
@@ -44,10 +67,28 @@ void AtomicFile::finish() {
   is_finished_ = true;
 }
 
+std::filesystem::path temporary_name(const std::filesystem::path& final_path) {
+  std::random_device source;
+  const std::uint64_t number = (static_cast<std::uint64_t>(source()) << 32) | source();
+  return final_path.parent_path() / fmt::format(".{}.{}-{:0{}x}{}{}", final_path.stem().string(),
+                                                getpid(), number, random_digits, temporary_mark,
+                                                final_path.extension().string());
+}
+
+void remove_stale_temporaries(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> stale;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const pid_t process = process_of(entry.path().filename().string());
+    if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) stale.push_back(entry.path());
+  }
+  for (const std::filesystem::path& file : stale) std::filesystem::remove(file, ignored);
+}
+
 void write_file(const std::filesystem::path& path, std::string_view text) {
   AtomicFile file(path);
   const int descriptor =
-      open(file.temporary().c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0666);
+      open(file.temporary().c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_WRONLY | O_CLOEXEC, 0666);
   if (descriptor < 0) fail(path, errno);
   while (!text.empty()) {
     const ssize_t count = write(descriptor, text.data(), text.size());

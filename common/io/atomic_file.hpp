@@ -1,5 +1,9 @@
 /// Files that are written whole or not at all: under a temporary name beside the final one, synced
 /// to the disk, then renamed. A killed run leaves no half-written file under a final name.
+///
+/// A temporary name is hidden and cannot be guessed: ".<stem>.<process>-<16 hexadecimal
+/// digits>.tmp" with the final name's ending. It is opened with O_EXCL and O_NOFOLLOW, so that
+/// nothing that another user laid there is written to.
 #pragma once
 
 #include <filesystem>
@@ -30,5 +34,12 @@ class AtomicFile {
 
 /// Writes a whole text file at once. Throws FileError that names it and what the system said.
 void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// A name for a temporary file beside `final_path`, as above.
+std::filesystem::path temporary_name(const std::filesystem::path& final_path);
+
+/// Removes the temporary files in the folder whose process is gone: what a killed run left. The
+/// folder must be locked, so that no process of another machine writes there.
+void remove_stale_temporaries(const std::filesystem::path& folder);
 
 }  // namespace pennon

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "common/errors.hpp"
+#include "common/io/atomic_file.hpp"
 
 namespace pennon {
 namespace {
@@ -22,8 +23,8 @@ std::string system_message(int error) {
 
 // Writes and removes a file in the folder; returns the system's error number, or 0.
 int probe(const std::filesystem::path& folder) {
-  const std::string name = (folder / fmt::format(".probe-{}", getpid())).string();
-  const int file = ::open(name.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, 0600);
+  const std::string name = temporary_name(folder / "probe").string();
+  const int file = ::open(name.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_WRONLY | O_CLOEXEC, 0600);
   if (file < 0) return errno;
   constexpr std::array<char, 4096> block{};
   int error = 0;

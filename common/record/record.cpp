@@ -47,6 +47,11 @@ void Record::add(const std::string& phase, double seconds) {
     found->second += seconds;
 }
 
+void Record::add_change(double t, const std::string& key, const std::string& before,
+                        const std::string& after) {
+  changes_.push_back({t, key, before, after});
+}
+
 double Record::wall_seconds() const {
   return watch_.seconds();
 }
@@ -60,6 +65,8 @@ void Record::write(const std::filesystem::path& file, int ranks) const {
   json["ranks"] = ranks;
   json["wall_s"]["total"] = wall_seconds();
   for (const auto& [phase, seconds] : phases_) json["wall_s"][phase] = seconds;
+  for (const auto& [t, key, before, after] : changes_)
+    json["changes"].push_back({{"t", t}, {"key", key}, {"before", before}, {"after", after}});
   json["peak_memory_kB"] = peak_memory_kilobytes();
   // A command line may hold a file name that is not UTF-8.
   write_file(file, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -30,6 +30,10 @@ class Record {
   };
   [[nodiscard]] Timer time(std::string phase) { return {*this, std::move(phase)}; }
 
+  /// A key of the case that had another value until the time t of the run; values as TOML.
+  void add_change(double t, const std::string& key, const std::string& before,
+                  const std::string& after);
+
   /// Wall seconds since the record was made.
   double wall_seconds() const;
   void write(const std::filesystem::path& file, int ranks) const;
@@ -39,6 +43,11 @@ class Record {
 
   std::string command_line_;
   std::vector<std::pair<std::string, double>> phases_;
+  struct Change {
+    double t;
+    std::string key, before, after;
+  };
+  std::vector<Change> changes_;
   StopWatch watch_;
 };
 

@@ -38,14 +38,14 @@ double deflection_with(std::int64_t n, Settings settings, const FlagParameters& 
                        const OutputFolder& folder) {
   settings.n_x = settings.flag.n_y = n;
   const OutputFolder own(folder / fmt::format("n-{}", n));
-  return run_flag(settings, flag, std::nullopt, std::nullopt, own, false).rows.back()[z_column];
+  return run_flag(settings, flag, std::nullopt, {}, own, false).rows.back()[z_column];
 }
 
 double frequency_with(double dt, Settings settings, const FlagParameters& flag,
                       const OutputFolder& folder) {
   settings.dt = dt;
   const OutputFolder own(folder / fmt::format("dt-{}", dt));
-  const FlagRunResult found = run_flag(settings, flag, std::nullopt, std::nullopt, own, false);
+  const FlagRunResult found = run_flag(settings, flag, std::nullopt, {}, own, false);
   std::vector<double> z;
   for (const HistoryRow& row : found.rows) z.push_back(row[z_column]);
   const auto frequency = angular_frequency(z, dt);

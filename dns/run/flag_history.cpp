@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "common/io/atomic_file.hpp"
 #include "common/io/csv.hpp"
@@ -40,11 +41,15 @@ std::string array_name(const char* quantity, std::size_t shape) {
 
 constexpr const char* shapes_file = "shapes.h5";
 
+hdf5::Shape cells_of(const FlagShapes& shapes) {
+  return {std::max<hsize_t>(shapes.rows - 1, 1), shapes.columns - 1};
+}
+
 // Writes each shape as arrays of its own and says where they are, if `file` is that of the shapes.
 std::vector<xdmf::Grid> write_arrays(const FlagShapes& shapes, hdf5::Writer& file) {
   file.write("/shape_times", {shapes.times.size()}, shapes.times, {{"meaning", "t, in L/V"}});
   const hdf5::Shape nodes = {shapes.rows, shapes.columns};
-  const hdf5::Shape cells = {std::max<hsize_t>(shapes.rows - 1, 1), shapes.columns - 1};
+  const hdf5::Shape cells = cells_of(shapes);
   std::vector<xdmf::Grid> series;
   for (std::size_t s = 0; s < shapes.times.size(); ++s) {
     const auto write = [&](const ShapeQuantity& quantity, const hdf5::Shape& shape,
@@ -180,21 +185,23 @@ void write_shapes(const FlagShapes& shapes, hdf5::Writer& file) {
 FlagShapes read_shapes(const hdf5::Reader& file) {
   FlagShapes shapes;
   if (!file.contains("/shape_times")) return shapes;
-  shapes.times = file.read("/shape_times").values;
+  shapes.times = file.list("/shape_times");
+  const hdf5::Shape first = file.shape(array_name("position", 0), {hdf5::any, hdf5::any, 3});
+  shapes.rows = first[0];
+  shapes.columns = first[1];
+  const hdf5::Shape nodes = {shapes.rows, shapes.columns}, cells = cells_of(shapes);
   for (std::size_t s = 0; s < shapes.times.size(); ++s) {
-    hdf5::Array positions = file.read(array_name("position", s));
-    shapes.rows = positions.shape[0];
-    shapes.columns = positions.shape[1];
-    shapes.positions.push_back(std::move(positions.values));
-    const auto read = [&](const std::array<ShapeQuantity, 3>& quantities) {
+    shapes.positions.push_back(file.read(array_name("position", s), first).values);
+    const auto read = [&](const std::array<ShapeQuantity, 3>& quantities,
+                          const hdf5::Shape& expected) {
       std::array<std::vector<double>, 3> values;
       for (std::size_t k = 0; k < 3; ++k)
         if (const std::string array = array_name(quantities[k].name, s); file.contains(array))
-          values[k] = file.read(array).values;
+          values[k] = file.read(array, expected).values;
       return values;
     };
-    shapes.velocities.push_back(read(velocities));
-    shapes.strains.push_back(read(strains));
+    shapes.velocities.push_back(read(velocities, nodes));
+    shapes.strains.push_back(read(strains, cells));
   }
   return shapes;
 }
@@ -219,9 +226,24 @@ void write_history(const FlagHistory& history, hdf5::Writer& file) {
   write_shapes(history.shapes, file);
 }
 
-FlagHistory read_history(const hdf5::Reader& file) {
+hdf5::Array read_rows(const hdf5::Reader& file, std::size_t columns, double last) {
+  hdf5::Array rows = file.read("/history", {hdf5::any, columns});
+  double before = -std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < rows.shape[0]; ++r) {
+    const double t = rows.values[r * columns];
+    if (!(t > before && t <= last))
+      file.fail(
+          fmt::format("has t = {} in row {} of /history; it must lie above {} and not above "
+                      "{}, the time of the checkpoint",
+                      t, r, before, last));
+    before = t;
+  }
+  return rows;
+}
+
+FlagHistory read_history(const hdf5::Reader& file, double t) {
   FlagHistory history;
-  const hdf5::Array rows = file.read("/history");
+  const hdf5::Array rows = read_rows(file, history_columns, t);
   for (std::size_t r = 0; r < rows.shape[0]; ++r) {
     HistoryRow row;
     std::copy_n(rows.values.begin() + static_cast<std::ptrdiff_t>(r * history_columns),

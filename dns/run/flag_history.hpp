@@ -44,6 +44,7 @@ void write_shapes(const FlagShapes&, const std::vector<double>& contour_times,
                   const std::filesystem::path& folder);
 /// The same as part of a checkpoint.
 void write_shapes(const FlagShapes&, hdf5::Writer&);
+/// Throws InputError where the shapes are of different sizes.
 FlagShapes read_shapes(const hdf5::Reader&);
 
 struct FlagHistory {
@@ -57,6 +58,11 @@ void write_history(const FlagHistory&, const std::vector<double>& contour_times,
 
 /// The same as part of a checkpoint.
 void write_history(const FlagHistory&, hdf5::Writer&);
-FlagHistory read_history(const hdf5::Reader&);
+/// Throws InputError where a row is later than t, the time of the checkpoint.
+FlagHistory read_history(const hdf5::Reader&, double t);
+
+/// The rows of /history with so many columns, of which the first is t. Throws InputError where the
+/// file has others, or t does not increase up to `last`.
+hdf5::Array read_rows(const hdf5::Reader&, std::size_t columns, double last);
 
 }  // namespace pennon::dns

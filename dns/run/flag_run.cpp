@@ -14,8 +14,6 @@
 namespace pennon::dns {
 namespace {
 
-namespace fs = std::filesystem;
-
 template <int dim>
 class FlagBody {
  public:
@@ -68,16 +66,20 @@ class FlagBody {
   const char* checkpoint_kind() const { return "flag_checkpoint"; }
   const char* words_of_checkpoint() const { return "a checkpoint of a flag"; }
   void write(hdf5::Writer* file) const {
-    file->attributes({{"step", steps_.taken()}});
+    file->attributes(
+        {{"step", steps_.taken()}, {"step_origin", steps_.origin()}, {"dt", steps_.dt()}});
     write_state(state_, *file);
     write_tangent(stepper_.kept_tangent(), *file);
     write_history(history_, *file);
   }
-  void read(const hdf5::Reader& file, const fs::path& path) {
-    state_ = read_flag_state<dim>(file, flag_.mesh().nodes(), path);
-    keep_tangent_of(file, path, stepper_);
-    steps_.go_on_after(static_cast<std::int64_t>(file.number("/", "step", 0)));
-    history_ = read_history(file);
+  void read(const hdf5::Reader& file) {
+    state_ = read_flag_state<dim>(file, flag_.mesh().nodes());
+    keep_tangent_of(file, stepper_);
+    if (file.number("/", "dt") == steps_.dt())
+      steps_.go_on(file.number("/", "step_origin"), file.counted("/", "step"));
+    else
+      steps_.go_on(state_.t, 0);
+    history_ = read_history(file, state_.t);
   }
 
   /// The shape at rest under the loads, as the history's only row.
@@ -117,9 +119,8 @@ class FlagBody {
 
 template <int dim>
 FlagRunResult run_in(const Settings& settings, const FlagParameters& parameters,
-                     const std::optional<ShapeFunction>& zeta,
-                     const std::optional<fs::path>& restart, const OutputFolder& folder,
-                     bool shows_progress) {
+                     const std::optional<ShapeFunction>& zeta, const Beginning& beginning,
+                     const OutputFolder& folder, bool shows_progress) {
   const StopWatch watch;
   FlagBody<dim> body(settings, parameters, zeta, folder);
   FlagRunResult result;
@@ -127,8 +128,8 @@ FlagRunResult run_in(const Settings& settings, const FlagParameters& parameters,
     body.find_rest();
     result = body.result("equilibrium", {});
   } else {
-    TimeLoop loop(body, settings.output, settings.t_end, folder);
-    result = body.result("done", loop.run(restart, shows_progress));
+    TimeLoop loop(body, settings.output, settings.t_end, beginning, folder);
+    result = body.result("done", loop.run(shows_progress));
   }
   result.wall_seconds = watch.seconds();
   return result;
@@ -137,12 +138,11 @@ FlagRunResult run_in(const Settings& settings, const FlagParameters& parameters,
 }  // namespace
 
 FlagRunResult run_flag(const Settings& settings, const FlagParameters& parameters,
-                       const std::optional<ShapeFunction>& zeta,
-                       const std::optional<fs::path>& restart, const OutputFolder& folder,
-                       bool shows_progress) {
+                       const std::optional<ShapeFunction>& zeta, const Beginning& beginning,
+                       const OutputFolder& folder, bool shows_progress) {
   if (parameters.gamma)
-    return run_in<3>(settings, parameters, zeta, restart, folder, shows_progress);
-  return run_in<2>(settings, parameters, zeta, restart, folder, shows_progress);
+    return run_in<3>(settings, parameters, zeta, beginning, folder, shows_progress);
+  return run_in<2>(settings, parameters, zeta, beginning, folder, shows_progress);
 }
 
 }  // namespace pennon::dns

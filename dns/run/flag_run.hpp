@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,12 +28,11 @@ struct FlagRunResult {
 };
 
 /// Starts from z = zeta(x, y), or straight without it. Computes and writes history.h5, history.csv,
-/// shapes.h5, shapes.xdmf and checkpoint.h5 to the folder. With `restart`, goes on from that
-/// checkpoint to the case's t_end; the result is bit-identical to an uninterrupted run that wrote a
-/// checkpoint at the same time. Settings as check() accepts them. Throws SolverError (the last
-/// checkpoint's name in it), InputError (a checkpoint of another flag), FileError, Interrupted.
+/// shapes.h5, shapes.xdmf and checkpoint.h5 to the folder. From a checkpoint it goes on to the
+/// case's t_end; the result is bit-identical to an uninterrupted run that wrote a checkpoint at the
+/// same time. Settings as check() accepts them. Throws SolverError (the last checkpoint's name in
+/// it), InputError (a checkpoint of another flag), FileError, Interrupted.
 FlagRunResult run_flag(const Settings&, const FlagParameters&, const std::optional<ShapeFunction>&,
-                       const std::optional<std::filesystem::path>& restart, const OutputFolder&,
-                       bool shows_progress);
+                       const Beginning&, const OutputFolder&, bool shows_progress);
 
 }  // namespace pennon::dns

@@ -98,9 +98,9 @@ class CoupledBody : public FlowBody {
     write_tangent(coupling_.kept_tangent(), file);
   }
 
-  void read(const hdf5::Reader& file, const std::filesystem::path& path) override {
-    energy_at_start_ = read_flag_of(file, flag_.mesh().nodes(), path, state_);
-    keep_tangent_of(file, path, coupling_);
+  void read(const hdf5::Reader& file) override {
+    energy_at_start_ = read_flag_of(file, flag_.mesh().nodes(), flag_.mesh().stations(), state_);
+    keep_tangent_of(file, coupling_);
   }
 
  private:

@@ -2,7 +2,6 @@
 /// advances it, keeps its history and saves it.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 
 #include "common/io/hdf5.hpp"
@@ -30,7 +29,7 @@ class FlowBody {
   virtual void add_shape(FluidHistory&) const {}
   /// What a checkpoint holds beside the fluid's state.
   virtual void write(hdf5::Writer&) const {}
-  virtual void read(const hdf5::Reader&, const std::filesystem::path&) {}
+  virtual void read(const hdf5::Reader&) {}
 };
 
 /// A flag that moves as prescribed.

@@ -28,7 +28,7 @@ class ModeReader {
       fail("is no file of global modes, as pennon modes writes with [modes.global]");
     if (!file_.contains(group_ + "/zeta_real"))
       fail(fmt::format("holds {} modes; dns.initial.global_mode = {} is not among them",
-                       file_.shape("/growth").at(0), rank));
+                       file_.shape("/growth", {hdf5::any})[0], rank));
     expect_grid();
     expect("flow.Re", "Re", fluid.parameters().Re);
     expect("flow.U", "U", fluid.parameters().U);
@@ -42,7 +42,10 @@ class ModeReader {
   FlowMode mode(int rank) const {
     FlowMode mode(plane_, fluid_.components());
     const auto index = static_cast<std::size_t>(rank - 1);
-    mode.lambda = {file_.read("/growth").values.at(index), file_.read("/omega").values.at(index)};
+    const std::vector<double> growth = file_.list("/growth"),
+                              omega = file_.list("/omega", growth.size());
+    if (index >= growth.size()) fail(fmt::format("has no growth rate of mode {}", rank));
+    mode.lambda = {growth[index], omega[index]};
     mode.k_x = k_x();
     for (std::size_t c = 0; c < mode.u.size(); ++c) {
       const std::string name = velocity_names[c];
@@ -52,12 +55,14 @@ class ModeReader {
     }
     mode.steady_p = field("/base/p");
     mode.p = complex_field("p");
-    for (const double value : file_.read("/base/is_inflow").values)
+    for (const double value : file_.list("/base/is_inflow", static_cast<hsize_t>(plane_.n_theta)))
       mode.is_inflow.push_back(value != 0);
-    const std::vector<double> nodes = file_.read("/flag").values;
-    for (std::size_t j = 0; j < nodes.size(); j += 2) mode.flag.push_back({nodes[j], nodes[j + 1]});
-    const std::vector<double> real = file_.read(group_ + "/zeta_real").values,
-                              imaginary = file_.read(group_ + "/zeta_imag").values;
+    const std::vector<double> real = finite_list(group_ + "/zeta_real", hdf5::any),
+                              imaginary = finite_list(group_ + "/zeta_imag", real.size());
+    const hdf5::Array nodes = file_.read("/flag", {real.size(), 2});
+    file_.expect_finite("/flag", nodes.values);
+    for (std::size_t j = 0; j < real.size(); ++j)
+      mode.flag.push_back({nodes.values[2 * j], nodes.values[2 * j + 1]});
     for (std::size_t j = 0; j < real.size(); ++j) {
       mode.zeta.emplace_back(real[j], imaginary[j]);
       mode.zeta_t.push_back(mode.lambda * mode.zeta.back());
@@ -70,6 +75,12 @@ class ModeReader {
     throw InputError("dns.initial.global_modes", fmt::format("{} {}", path_.string(), what));
   }
 
+  std::vector<double> finite_list(const std::string& name, hsize_t count) const {
+    std::vector<double> values = file_.list(name, count);
+    file_.expect_finite(name, values);
+    return values;
+  }
+
   double k_x() const { return file_.number("/", "k_x", 0); }
 
   void expect(const char* key, const char* attribute, double here) const {
@@ -80,8 +91,8 @@ class ModeReader {
   }
 
   void expect_grid() const {
-    const hdf5::Array points = file_.read("/points");
-    const auto rows = static_cast<hsize_t>(plane_.n_rho), columns = points.shape.at(1) - 1;
+    const hdf5::Array points = file_.read("/points", {hdf5::any, hdf5::any, 2});
+    const auto rows = static_cast<hsize_t>(plane_.n_rho), columns = points.shape[1] - 1;
     if (points.shape[0] - 1 != rows || columns != static_cast<hsize_t>(plane_.n_theta))
       fail(fmt::format("was made on {} x {} cells; here they are {} x {} (dns.n_rho, dns.n_theta)",
                        points.shape[0] - 1, columns, rows, plane_.n_theta));
@@ -143,10 +154,12 @@ class ModeReader {
   }
   template <class Set>
   void fill(const std::string& name, const Set& set) const {
-    const std::vector<double> values = file_.read(name).values;
+    const hdf5::Array array = file_.read(
+        name, {static_cast<hsize_t>(plane_.n_rho), static_cast<hsize_t>(plane_.n_theta)});
+    file_.expect_finite(name, array.values);
     std::size_t k = 0;
     for (int j = 0; j < plane_.n_rho; ++j)
-      for (int i = 0; i < plane_.n_theta; ++i) set(j, i, values.at(k++));
+      for (int i = 0; i < plane_.n_theta; ++i) set(j, i, array.values[k++]);
   }
 
   std::filesystem::path path_;

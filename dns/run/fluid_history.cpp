@@ -210,20 +210,25 @@ void write_history(const FluidHistory& history, const Span& span, const Settings
   write_shapes(history.shapes, settings.output.contour_times, folder);
 }
 
-FluidHistory read_fluid_history(const hdf5::Reader& file) {
+FluidHistory read_fluid_history(const hdf5::Reader& file, const HistoryInCheckpoint& expected) {
   FluidHistory history;
-  const hdf5::Array rows = file.read("/history");
-  const std::size_t columns = rows.shape[1];
+  history.shapes = read_shapes(file);
+  if (!file.contains("/history")) return history;
+  const std::size_t columns = fluid_columns + (expected.is_coupled ? coupled_columns : 0);
+  const hdf5::Array rows = read_rows(file, columns, expected.t);
+  const auto planes = static_cast<hsize_t>(expected.planes);
   for (std::size_t r = 0; r < rows.shape[0]; ++r) {
     const double* values = rows.values.data() + r * columns;
     std::copy_n(values, fluid_columns, history.rows.emplace_back().begin());
     if (columns > fluid_columns)
       std::copy_n(values + fluid_columns, coupled_columns, history.flag.emplace_back().begin());
   }
-  if (file.contains("/trailing_edge")) history.trailing_edge = file.read("/trailing_edge").values;
-  history.shapes = read_shapes(file);
-  history.stations = file.read("/stations").values;
-  if (file.contains("/probes")) history.probes = file.read("/probes").values;
+  const hdf5::Shape of_planes = {rows.shape[0], planes, values_of_station};
+  if (expected.is_coupled) history.trailing_edge = file.read("/trailing_edge", of_planes).values;
+  history.stations = file.read("/stations", of_planes).values;
+  if (expected.probes > 0)
+    history.probes =
+        file.read("/probes", {rows.shape[0], expected.probes, planes, values_of_probe}).values;
   return history;
 }
 

@@ -45,6 +45,15 @@ void write_history(const FluidHistory&, const Span&, const Settings&,
 
 /// The same as part of a checkpoint.
 void write_history(const FluidHistory&, int planes, std::size_t probes, hdf5::Writer&);
-FluidHistory read_fluid_history(const hdf5::Reader&);
+/// What the history of a checkpoint must fit.
+struct HistoryInCheckpoint {
+  double t;  ///< of the checkpoint
+  int planes;
+  std::size_t probes;
+  bool is_coupled;
+};
+/// Without rows where the run was stopped before the first one. Throws InputError where it does not
+/// fit.
+FluidHistory read_fluid_history(const hdf5::Reader&, const HistoryInCheckpoint&);
 
 }  // namespace pennon::dns

@@ -13,8 +13,6 @@
 namespace pennon::dns {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::unique_ptr<FlowBody> body_of(Fluid& fluid, const Settings& settings,
                                   const FlagParameters& flag,
                                   const std::optional<ShapeFunction>& shape) {
@@ -84,13 +82,12 @@ class Flow {
   }
   void keep_shape() { body_->add_shape(history_); }
   void keep_fields() {
-    const auto file_name = [](std::size_t k) { return fmt::format("fields_{:05}.h5", k); };
-    write_fields(fluid_, state(), folder_ / file_name(field_times_.size()));
+    write_fields(fluid_, state(), folder_ / fields_name(field_times_.size()));
     field_times_.push_back(time());
     if (!ranks::is_leading()) return;
     std::vector<xdmf::Grid> series;
     for (std::size_t k = 0; k < field_times_.size(); ++k)
-      series.push_back(described_fields(fluid_, field_times_[k], file_name(k)));
+      series.push_back(described_fields(fluid_, field_times_[k], fields_name(k)));
     xdmf::write(folder_ / "fields.xdmf", "fluid", series);
   }
   bool has_rows() const { return !history_.rows.empty(); }
@@ -108,16 +105,17 @@ class Flow {
       write_history(history_, fluid_.span().planes(), settings_.probes.y.size(), *file);
     write_shapes(history_.shapes, *file);
   }
-  void read(const hdf5::Reader& file, const fs::path& path) {
-    state() = read_fluid_state(file, fluid_, path);
-    steps_.go_on_with(file.number("/", "dt", settings_.dt));
-    step_ = static_cast<std::int64_t>(file.number("/", "step", 0));
-    if (file.contains("/field_times")) field_times_ = file.read("/field_times").values;
-    body_->read(file, path);
-    if (file.contains("/history"))
-      history_ = read_fluid_history(file);
-    else
-      history_.shapes = read_shapes(file);  // stopped before the first row
+  void read(const hdf5::Reader& file) {
+    state() = read_fluid_state(file, fluid_);
+    steps_.go_on_with(positive_number(file, "dt"));
+    step_ = file.counted("/", "step");
+    if (file.contains("/field_times")) field_times_ = file.list("/field_times");
+    remove_later_fields();
+    body_->read(file);
+    history_ = read_fluid_history(file, {.t = time(),
+                                         .planes = fluid_.span().planes(),
+                                         .probes = settings_.probes.y.size(),
+                                         .is_coupled = !settings_.motion.is_given});
   }
 
   FluidRunResult result(const LoopSummary& loop) const {
@@ -137,6 +135,24 @@ class Flow {
   }
 
  private:
+  static std::string fields_name(std::size_t k) { return fmt::format("fields_{:05}.h5", k); }
+
+  // Those that the run wrote after the checkpoint from which it goes on: they may differ from what
+  // it writes now.
+  void remove_later_fields() const {
+    if (!ranks::is_leading()) return;
+    std::error_code ignored;
+    for (std::size_t k = field_times_.size();
+         std::filesystem::remove(folder_ / fields_name(k), ignored); ++k) {
+    }
+  }
+
+  static double positive_number(const hdf5::Reader& file, const std::string& attribute) {
+    const double value = file.number("/", attribute);
+    if (value <= 0) file.fail(fmt::format("has {} = {}; it must be above 0", attribute, value));
+    return value;
+  }
+
   FluidState& state() { return body_->fluid(); }
   const FluidState& state() const { return body_->fluid(); }
 
@@ -156,12 +172,12 @@ class Flow {
 
 FluidRunResult run_fluid(const Settings& settings, const FlagParameters& flag,
                          const FlowParameters& flow, const std::optional<ShapeFunction>& shape,
-                         const std::optional<fs::path>& restart, const OutputFolder& folder,
+                         const Beginning& beginning, const OutputFolder& folder,
                          bool shows_progress) {
   const StopWatch watch;
   Flow body(settings, flag, flow, shape, folder);
-  TimeLoop loop(body, settings.output, settings.t_end, folder);
-  FluidRunResult result = body.result(loop.run(restart, shows_progress));
+  TimeLoop loop(body, settings.output, settings.t_end, beginning, folder);
+  FluidRunResult result = body.result(loop.run(shows_progress));
   result.wall_seconds = watch.seconds();
   return result;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 
 #include "common/case/parameters.hpp"
@@ -33,12 +32,11 @@ struct FluidRunResult {
 /// Computes and writes history.h5, history.csv, shapes.h5, fields_*.h5 with fields.xdmf, and
 /// checkpoint.h5. `shape`: the mode of a prescribed motion, or the displacement with which a flag
 /// that the flow moves starts.
-/// With `restart`, goes on from that checkpoint to the case's t_end; the result is bit-identical to
+/// From a checkpoint it goes on to the case's t_end; the result is bit-identical to
 /// an uninterrupted run. Settings as check() accepts them. Throws SolverError (the last
 /// checkpoint's name in it), InputError (a checkpoint of another grid), FileError, Interrupted.
 FluidRunResult run_fluid(const Settings&, const FlagParameters&, const FlowParameters&,
-                         const std::optional<ShapeFunction>& shape,
-                         const std::optional<std::filesystem::path>& restart, const OutputFolder&,
-                         bool shows_progress);
+                         const std::optional<ShapeFunction>& shape, const Beginning&,
+                         const OutputFolder&, bool shows_progress);
 
 }  // namespace pennon::dns

@@ -15,8 +15,6 @@
 namespace pennon::dns {
 namespace {
 
-namespace fs = std::filesystem;
-
 // use(name in the file, field, its rows) for the fields of one of the fluid's members. Of the grid
 // the last entry is left out, which the next step overwrites.
 template <class Fields, class Use>
@@ -75,11 +73,10 @@ class FluidWriter {
 
 class FluidReader {
  public:
-  FluidReader(const hdf5::Reader& file, const Fluid& fluid, const fs::path& path)
-      : file_(file), fluid_(fluid), path_(path) {}
+  FluidReader(const hdf5::Reader& file, const Fluid& fluid) : file_(file), fluid_(fluid) {}
 
   void operator()(const MemberInfo& info, double& number) const {
-    number = file_.number("/", info.name, 0);
+    number = file_.number("/", info.name);
   }
   void operator()(const MemberInfo& info, std::vector<Field<double>>& fields) const {
     fields.assign(static_cast<std::size_t>(fluid_.components()), Field<double>(fluid_.extent()));
@@ -97,7 +94,9 @@ class FluidReader {
     read(fmt::format("/{}", info.name), field, fluid_.extent().n_rho);
   }
   void operator()(const MemberInfo& info, std::vector<bool>& sides) const {
-    const std::vector<double> all = file_.read(fmt::format("/{}", info.name)).values;
+    const std::vector<double> all = file_.list(fmt::format("/{}", info.name),
+                                               static_cast<hsize_t>(fluid_.span().planes()) *
+                                                   static_cast<hsize_t>(fluid_.extent().n_theta));
     const auto first =
         all.begin() + fluid_.span().first_plane() * std::ptrdiff_t(fluid_.extent().n_theta);
     sides.resize(fluid_.extent().wall_faces());
@@ -108,14 +107,15 @@ class FluidReader {
  private:
   void read(const std::string& name, Field<double>& f, int rows) const {
     const Extent& extent = fluid_.extent();
-    const hdf5::Array array = file_.read(name);
     const hdf5::Shape expected = {static_cast<hsize_t>(fluid_.span().planes()),
                                   static_cast<hsize_t>(rows), static_cast<hsize_t>(extent.n_theta)};
-    if (array.shape != expected)
-      throw InputError(path_.string(),
-                       fmt::format("holds another grid than the case's {} x {} x {} cells; "
-                                   "restart with the case that wrote it",
-                                   fluid_.span().planes(), extent.n_rho, extent.n_theta));
+    if (file_.shape(name) != expected)
+      file_.fail(
+          fmt::format("holds another grid than the case's {} x {} x {} cells; restart with "
+                      "the case that wrote it",
+                      fluid_.span().planes(), extent.n_rho, extent.n_theta));
+    const hdf5::Array array = file_.read(name);
+    file_.expect_finite(name, array.values);
     const double* value =
         array.values.data() +
         static_cast<std::ptrdiff_t>(fluid_.span().first_plane()) * rows * extent.n_theta;
@@ -128,7 +128,6 @@ class FluidReader {
 
   const hdf5::Reader& file_;
   const Fluid& fluid_;
-  const fs::path& path_;
 };
 
 // The numbers among the members of a flag's state, or of a coupled one beside the fluid's.
@@ -180,8 +179,8 @@ class FlagWriter {
 
 class FlagReader {
  public:
-  FlagReader(const char* prefix, const hdf5::Reader& file, int nodes, const fs::path& path)
-      : prefix_(prefix), file_(file), nodes_(nodes), path_(path) {}
+  FlagReader(const char* prefix, const hdf5::Reader& file, int nodes, int stations)
+      : prefix_(prefix), file_(file), nodes_(nodes), stations_(stations) {}
 
   void operator()(const MemberInfo&, double&) const {}
   void operator()(const MemberInfo&, FluidState&) const {}
@@ -193,31 +192,50 @@ class FlagReader {
   void operator()(const MemberInfo& info,
                   Eigen::Matrix<double, rows, Eigen::Dynamic, options>& values) const {
     const std::string name = fmt::format("/{}{}", prefix_, info.name);
-    if (!file_.contains(name)) return;
-    const hdf5::Array array = file_.read(name);
-    if constexpr (rows != Eigen::Dynamic) expect_nodes(array.shape, rows);
+    const bool may_be_absent = rows == Eigen::Dynamic || info.steps_before > 0;
+    if (may_be_absent && !file_.contains(name)) return;
+    if constexpr (rows != Eigen::Dynamic) expect_nodes(name, rows);
+    const auto segments = static_cast<hsize_t>(nodes_ / stations_ - 1);
+    const hdf5::Array array = rows == Eigen::Dynamic
+                                  ? file_.read(name, {segments, static_cast<hsize_t>(stations_)})
+                                  : file_.read(name);
+    file_.expect_finite(name, array.values);
     values.resize(static_cast<Eigen::Index>(array.shape[1]),
                   static_cast<Eigen::Index>(array.shape[0]));
     std::ranges::copy(array.values, values.data());
   }
 
  private:
-  void expect_nodes(const hdf5::Shape& shape, int dim) const {
+  void expect_nodes(const std::string& name, int dim) const {
+    const hdf5::Shape shape = file_.shape(name, {hdf5::any, hdf5::any});
     if (shape != hdf5::Shape{static_cast<hsize_t>(nodes_), static_cast<hsize_t>(dim)})
-      throw InputError(path_.string(),
-                       fmt::format("holds {} nodes in {} dimensions, the case's flag has {} in {}; "
-                                   "restart with the case that wrote it",
-                                   shape[0], shape[1], nodes_, dim));
+      file_.fail(
+          fmt::format("holds {} nodes in {} dimensions, the case's flag has {} in {}; "
+                      "restart with the case that wrote it",
+                      shape[0], shape[1], nodes_, dim));
   }
 
   const char* prefix_;
   const hdf5::Reader& file_;
-  int nodes_;
-  const fs::path& path_;
+  int nodes_, stations_;
 };
 
 constexpr const char* tangent_array = "/tangent";
 constexpr const char* coupled_prefix = "flag_";
+
+void expect_time(const hdf5::Reader& file, double t) {
+  if (t < 0) file.fail(fmt::format("has t = {}; a run starts at 0", t));
+}
+
+// The step before the checkpoint, and what it left of the flag.
+template <int dim>
+void expect_step_before(const hdf5::Reader& file, const FlagState<dim>& flag) {
+  if (flag.previous_dt < 0)
+    file.fail(fmt::format("has previous_dt = {}; a step is above 0, or 0 where there was none",
+                          flag.previous_dt));
+  if (flag.previous_dt > 0 && (flag.previous_x.size() == 0 || flag.previous_v.size() == 0))
+    file.fail("lacks the flag of one step before, previous_x and previous_v");
+}
 
 // Of a coupled flag, whose time is the fluid's.
 template <class Value, class State>
@@ -233,9 +251,10 @@ void write_state(const FluidState& state, const Fluid& fluid, hdf5::Writer* file
   visit(state, FluidWriter(fluid, file));
 }
 
-FluidState read_fluid_state(const hdf5::Reader& file, const Fluid& fluid, const fs::path& path) {
+FluidState read_fluid_state(const hdf5::Reader& file, const Fluid& fluid) {
   FluidState state;
-  visit(state, FluidReader(file, fluid, path));
+  visit(state, FluidReader(file, fluid));
+  expect_time(file, state.t);
   return state;
 }
 
@@ -247,10 +266,12 @@ void write_state(const FlagState<dim>& state, hdf5::Writer& file) {
 }
 
 template <int dim>
-FlagState<dim> read_flag_state(const hdf5::Reader& file, int nodes, const fs::path& path) {
+FlagState<dim> read_flag_state(const hdf5::Reader& file, int nodes) {
   FlagState<dim> state;
-  for (const auto& [name, value] : Numbers<double>(state).list) *value = file.number("/", name, 0);
-  visit(state, FlagReader("", file, nodes, path));
+  for (const auto& [name, value] : Numbers<double>(state).list) *value = file.number("/", name);
+  expect_time(file, state.t);
+  visit(state, FlagReader("", file, nodes, 1));
+  expect_step_before(file, state);
   return state;
 }
 
@@ -268,18 +289,18 @@ void write_flag_of(const CoupledState<dim>& state, double energy_at_start, hdf5:
 }
 
 template <int dim>
-double read_flag_of(const hdf5::Reader& file, int nodes, const fs::path& path,
-                    CoupledState<dim>& state) {
-  const std::vector<double> values = file.read("/flag").values;
+double read_flag_of(const hdf5::Reader& file, int nodes, int stations, CoupledState<dim>& state) {
   const auto numbers = numbers_beside_time<double>(state);
-  if (values.size() != numbers.size() + 1)
-    throw InputError(path.string(),
-                     fmt::format("holds {} numbers of the flag, where {} are needed; it is of "
-                                 "another version of pennon",
-                                 values.size(), numbers.size() + 1));
+  const std::vector<double> values = file.read("/flag", {1, numbers.size() + 1}).values;
+  file.expect_finite("/flag", values);
   for (std::size_t k = 0; k < numbers.size(); ++k) *numbers[k].second = values[k];
   state.flag.t = state.fluid.t;
-  visit(state, FlagReader(coupled_prefix, file, nodes, path));
+  visit(state, FlagReader(coupled_prefix, file, nodes, stations));
+  expect_step_before(file, state.flag);
+  if (state.flag.previous_dt != state.fluid.previous_dt)
+    file.fail(
+        fmt::format("has previous_dt = {} of the flag and {} of the fluid; they step together",
+                    state.flag.previous_dt, state.fluid.previous_dt));
   return values.back();
 }
 
@@ -294,18 +315,20 @@ void write_tangent(const std::optional<KeptTangent>& tangent, hdf5::Writer& file
 
 std::optional<KeptTangent> read_tangent(const hdf5::Reader& file) {
   if (!file.contains(tangent_array)) return std::nullopt;
-  return KeptTangent{file.number(tangent_array, "mass_factor", 0),
-                     {.is_definite = file.number(tangent_array, "is_definite", 0) != 0,
-                      .entries = file.read(tangent_array).values}};
+  KeptTangent tangent{file.number(tangent_array, "mass_factor"),
+                      {.is_definite = file.number(tangent_array, "is_definite") != 0,
+                       .entries = file.list(tangent_array)}};
+  file.expect_finite(tangent_array, tangent.factors.entries);
+  return tangent;
 }
 
 template void write_state(const FlagState<2>&, hdf5::Writer&);
 template void write_state(const FlagState<3>&, hdf5::Writer&);
-template FlagState<2> read_flag_state(const hdf5::Reader&, int, const fs::path&);
-template FlagState<3> read_flag_state(const hdf5::Reader&, int, const fs::path&);
+template FlagState<2> read_flag_state(const hdf5::Reader&, int);
+template FlagState<3> read_flag_state(const hdf5::Reader&, int);
 template void write_flag_of(const CoupledState<2>&, double, hdf5::Writer&);
 template void write_flag_of(const CoupledState<3>&, double, hdf5::Writer&);
-template double read_flag_of(const hdf5::Reader&, int, const fs::path&, CoupledState<2>&);
-template double read_flag_of(const hdf5::Reader&, int, const fs::path&, CoupledState<3>&);
+template double read_flag_of(const hdf5::Reader&, int, int, CoupledState<2>&);
+template double read_flag_of(const hdf5::Reader&, int, int, CoupledState<3>&);
 
 }  // namespace pennon::dns

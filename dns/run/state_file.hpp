@@ -5,10 +5,8 @@
 /// file, those of a coupled flag the array /flag.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 
-#include "common/errors.hpp"
 #include "common/io/hdf5.hpp"
 #include "dns/coupling/coupling.hpp"
 #include "dns/flag/newton.hpp"
@@ -18,26 +16,26 @@ namespace pennon::dns {
 
 /// Every rank calls; `file`: of the leading rank, null on the others. Throws FileError.
 void write_state(const FluidState&, const Fluid&, hdf5::Writer* file);
-/// Each rank reads its own planes. Throws InputError where the file is of another grid.
-FluidState read_fluid_state(const hdf5::Reader&, const Fluid&, const std::filesystem::path&);
+/// Each rank reads its own planes. Throws InputError where the file is of another grid, lacks a
+/// member, or holds a value that is not finite.
+FluidState read_fluid_state(const hdf5::Reader&, const Fluid&);
 
 /// Throws FileError.
 template <int dim>
 void write_state(const FlagState<dim>&, hdf5::Writer&);
 /// Throws InputError where the file is of a flag with other than `nodes` nodes, or of other
-/// dimension.
+/// dimension, lacks a member, or holds a value that is not finite.
 template <int dim>
-FlagState<dim> read_flag_state(const hdf5::Reader&, int nodes, const std::filesystem::path&);
+FlagState<dim> read_flag_state(const hdf5::Reader&, int nodes);
 
 /// What a coupled state has beside the fluid's, and the flag's energy at the start of the run.
 /// Throws FileError.
 template <int dim>
 void write_flag_of(const CoupledState<dim>&, double energy_at_start, hdf5::Writer&);
-/// The same into a state whose fluid is read already; returns the energy. Throws InputError as
-/// read_flag_state() does.
+/// The same into a state whose fluid is read already, of a flag with so many nodes at so many
+/// stations; returns the energy. Throws InputError as read_flag_state() does.
 template <int dim>
-double read_flag_of(const hdf5::Reader&, int nodes, const std::filesystem::path&,
-                    CoupledState<dim>&);
+double read_flag_of(const hdf5::Reader&, int nodes, int stations, CoupledState<dim>&);
 
 /// The tangent of the flag as the array /tangent; nothing without one. Throws FileError.
 void write_tangent(const std::optional<KeptTangent>&, hdf5::Writer&);
@@ -45,11 +43,10 @@ void write_tangent(const std::optional<KeptTangent>&, hdf5::Writer&);
 std::optional<KeptTangent> read_tangent(const hdf5::Reader&);
 /// Hands it to the solver of a flag. Throws InputError where it is of another flag.
 template <class Solver>
-void keep_tangent_of(const hdf5::Reader& file, const std::filesystem::path& path, Solver& solver) {
+void keep_tangent_of(const hdf5::Reader& file, Solver& solver) {
   const std::optional<KeptTangent> tangent = read_tangent(file);
   if (tangent && !solver.keep(*tangent))
-    throw InputError(path.string(),
-                     "holds at /tangent the matrix of another flag, or none that can be factored");
+    file.fail("holds at /tangent the matrix of another flag, or none that can be factored");
 }
 
 }  // namespace pennon::dns

@@ -10,11 +10,18 @@ constexpr double slack = 1e-9;  // of a step, for times that are multiples of it
 
 }  // namespace
 
-EqualSteps::EqualSteps(double dt, double t_end)
-    : dt_(dt), t_end_(t_end), count_(static_cast<std::int64_t>(std::ceil(t_end / dt - slack))) {}
+EqualSteps::EqualSteps(double dt, double t_end) : dt_(dt), t_end_(t_end) {
+  go_on(0, 0);
+}
 
 double EqualSteps::next_time() const {
-  return std::min(t_end_, static_cast<double>(taken_ + 1) * dt_);
+  return std::min(t_end_, origin_ + static_cast<double>(taken_ + 1) * dt_);
+}
+
+void EqualSteps::go_on(double origin, std::int64_t taken) {
+  origin_ = origin;
+  taken_ = taken;
+  count_ = static_cast<std::int64_t>(std::ceil((t_end_ - origin) / dt_ - slack));
 }
 
 CourantSteps::CourantSteps(double most, std::optional<double> CFL, double t_end)
@@ -33,7 +40,7 @@ double CourantSteps::next(double t) const {
 
 void CourantSteps::take(double dt, double CFL) {
   constexpr double most_growth = 1.2, most_shrinkage = 0.6;
-  double most = most_;
+  double most = std::max(most_, most_shrinkage * dt);
   if (CFL_ && CFL > 0) most = std::min(most, dt * std::max(*CFL_ / CFL, most_shrinkage));
   dt_ = std::min(most, most_growth * std::max(dt, dt_));
 }

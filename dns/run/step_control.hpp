@@ -6,7 +6,8 @@
 
 namespace pennon::dns {
 
-/// Equal steps: the times are the multiples of dt, and the last is t_end.
+/// Equal steps: the times are origin + k dt, and the last is t_end. The origin is 0, or where a
+/// restart changed dt.
 class EqualSteps {
  public:
   EqualSteps(double dt, double t_end);
@@ -15,11 +16,15 @@ class EqualSteps {
   /// The time at the end of the next step.
   double next_time() const;
   void take() { ++taken_; }
+  /// Since the origin.
   std::int64_t taken() const { return taken_; }
-  void go_on_after(std::int64_t taken) { taken_ = taken; }
+  double origin() const { return origin_; }
+  double dt() const { return dt_; }
+  /// So many steps after the origin.
+  void go_on(double origin, std::int64_t taken);
 
  private:
-  double dt_, t_end_;
+  double dt_, t_end_, origin_ = 0;
   std::int64_t count_, taken_ = 0;
 };
 
@@ -37,7 +42,8 @@ class CourantSteps {
   /// The next step follows from the one taken and its Courant number.
   void take(double dt, double CFL);
 
-  /// The step as it is without the end of the run: what a restart goes on with.
+  /// The step as it is without the end of the run: what a restart goes on with. Where `most` is
+  /// less by then, the steps shrink to it.
   double dt() const { return dt_; }
   void go_on_with(double dt) { dt_ = dt; }
 

@@ -5,7 +5,6 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "common/errors.hpp"
@@ -16,6 +15,7 @@
 #include "common/progress.hpp"
 #include "common/stop_watch.hpp"
 #include "dns/run/output_settings.hpp"
+#include "dns/run/restart.hpp"
 #include "dns/run/schedule.hpp"
 
 namespace pennon::dns {
@@ -23,7 +23,7 @@ namespace pennon::dns {
 /// What the loop advances. Every rank calls every function.
 template <class Body>
 concept RunsThroughTime = requires(Body body, const Body& self, hdf5::Writer* file,
-                                   const hdf5::Reader& reader, const std::filesystem::path& path) {
+                                   const hdf5::Reader& reader) {
   { self.name() } -> std::convertible_to<std::string>;  ///< for the bar of progress
   { self.time() } -> std::same_as<double>;
   { self.is_at_end() } -> std::same_as<bool>;
@@ -41,7 +41,7 @@ concept RunsThroughTime = requires(Body body, const Body& self, hdf5::Writer* fi
   { self.checkpoint_kind() } -> std::convertible_to<std::string>;
   { self.words_of_checkpoint() } -> std::convertible_to<std::string>;
   self.write(file);  ///< all but the kind; null but on the leading rank
-  body.read(reader, path);
+  body.read(reader);
 };
 
 struct LoopSummary {
@@ -54,15 +54,16 @@ struct LoopSummary {
 template <RunsThroughTime Body>
 class TimeLoop {
  public:
-  TimeLoop(Body& body, const OutputSettings& output, double t_end, const OutputFolder& folder)
-      : body_(body), output_(output), t_end_(t_end), folder_(folder) {}
+  TimeLoop(Body& body, const OutputSettings& output, double t_end, const Beginning& beginning,
+           const OutputFolder& folder)
+      : body_(body), output_(output), t_end_(t_end), beginning_(beginning), folder_(folder) {}
 
   /// Starts, or goes on from a checkpoint, and leaves results and a checkpoint at the end. Throws
   /// SolverError (the last checkpoint's name in it), InputError (a checkpoint of something else),
   /// FileError, and Interrupted after a checkpoint.
-  LoopSummary run(const std::optional<std::filesystem::path>& restart, bool shows_progress) {
-    if (restart)
-      read_checkpoint(*restart);
+  LoopSummary run(bool shows_progress) {
+    if (beginning_.checkpoint)
+      read_checkpoint(*beginning_.checkpoint);
     else
       body_.start();
     Progress progress(body_.name(), ticks, shows_progress);
@@ -136,8 +137,10 @@ class TimeLoop {
     if (ranks::is_leading()) {
       file.emplace(path);
       file->attributes({{"kind", body_.checkpoint_kind()}});
+      pennon::dns::write(beginning_.the_case, *file);
     }
     body_.write(file ? &*file : nullptr);
+    if (file) file->write_contents();
     if (file) file->finish();
     summary_.checkpoint = path.string();
     since_checkpoint_.lap();
@@ -146,14 +149,16 @@ class TimeLoop {
   void read_checkpoint(const std::filesystem::path& path) {
     const hdf5::Reader file(path);
     if (file.text("/", "kind") != body_.checkpoint_kind())
-      throw InputError(path.string(), "is not " + std::string(body_.words_of_checkpoint()));
-    body_.read(file, path);
+      file.fail("is not " + std::string(body_.words_of_checkpoint()));
+    file.expect_contents();
+    body_.read(file);
     summary_.checkpoint = path.string();
   }
 
   Body& body_;
   const OutputSettings& output_;
   double t_end_;
+  const Beginning& beginning_;
   const OutputFolder& folder_;
   LoopSummary summary_;
   StopWatch since_checkpoint_;

@@ -18,7 +18,9 @@ checkout=$(git -C "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" rev-parse --
 suite=bookworm
 
 ((EUID == 0)) || { echo "this takes root" >&2; exit 1; }
-command -v debootstrap >/dev/null || { echo "install debootstrap first" >&2; exit 1; }
+for program in debootstrap ip; do
+  command -v "$program" >/dev/null || { echo "install $program first" >&2; exit 1; }
+done
 
 # In a mount namespace of its own, so that no mount outlives it however it ends.
 if [[ ${IN_NAMESPACE:-} != 1 ]]; then
@@ -27,7 +29,7 @@ fi
 
 tree=$(mktemp -d "${TMPDIR:-/var/tmp}/pennon-bare-XXXXXX")
 remove_tree() {
-  umount --recursive "$tree/proc" "$tree/dev" 2>/dev/null || true
+  umount --recursive "$tree/proc" "$tree/sys" "$tree/dev" 2>/dev/null || true
   rm -rf --one-file-system "$tree"
 }
 trap remove_tree EXIT
@@ -40,11 +42,17 @@ debootstrap --variant=minbase "$suite" "$tree" "$mirror"
 apt-config dump | grep -E '^Acquire::(http|https|Check|Retries)' >"$tree/etc/apt/apt.conf.d/host" || true
 cp /etc/resolv.conf /etc/hosts "$tree/etc/"
 mount -t proc proc "$tree/proc"
+mount --rbind /sys "$tree/sys"
 mount --rbind /dev "$tree/dev"
 git clone --quiet --no-hardlinks "$checkout" "$tree/pennon"
 
 # Runs a command in the tree with nothing of this system's environment but what is given first.
 inside() { env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 "$@"; }
+
+# The loopback device is there on any machine, and MPI needs it.
+without_network() {
+  inside unshare --net sh -c 'ip link set lo up && exec chroot "$@"' sh "$tree" "$@"
+}
 
 with_network() { inside PENNON_SETUP_ONLY=1 chroot "$tree" "$@"; }
 
@@ -61,6 +69,6 @@ setup_of_tests=(/pennon/test.sh)
 
 step "the programs, with the network" with_network /pennon/run.sh
 step "once more, without a network" \
-  inside PENNON_SETUP_ONLY=1 unshare --net chroot "$tree" /pennon/run.sh
+  without_network env PENNON_SETUP_ONLY=1 /pennon/run.sh
 step "what the tests need, with the network" with_network "${setup_of_tests[@]}"
-step "the tests, without a network" inside unshare --net chroot "$tree" /pennon/test.sh "$@"
+step "the tests, without a network" without_network /pennon/test.sh "$@"

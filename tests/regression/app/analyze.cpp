@@ -134,7 +134,7 @@ TEST_F(Analyze, GivesNullAndASentenceForWhatARunDoesNotTell) {
 TEST_F(Analyze, TakesTheWindowFromTheCommandLineOrTheCase) {
   const std::string run = oblique_run();
   const auto window = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> words = {"analyze", run, "--json"};
+    std::vector<std::string> words = {"analyze", run, "--json", "--force"};
     words.insert(words.end(), options.begin(), options.end());
     const Outcome outcome = pennon(words);
     EXPECT_EQ(outcome.status, done) << outcome.err;

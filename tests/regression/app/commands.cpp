@@ -48,7 +48,7 @@ TEST_F(Lsa, GivesTheVerdictOfEveryRowOfTable1) {
   const CsvTable table(source / "data/reference/table1.csv");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string name = table.text(row, table.column("case"));
-    const Outcome outcome = pennon({"lsa", case_of(name), "--json", "--output", results()});
+    const Outcome outcome = pennon({"lsa", case_of(name), "--json", "--output", results(name)});
     ASSERT_EQ(outcome.status, done) << name << outcome.err;
     const json lsa = json::parse(outcome.out).at("lsa");
     EXPECT_EQ(lsa.at("unstable").get<bool>(), table.text(row, table.column("lsa")) == "U") << name;
@@ -84,19 +84,6 @@ TEST_F(Lsa, LeavesARecordOfWhatMadeTheResult) {
   const json record = json::parse(test::read_text(results() + "/record.json"));
   for (const char* key : {"pennon", "command", "libraries", "ranks", "wall_s", "peak_memory_kB"})
     EXPECT_TRUE(record.contains(key)) << key;
-}
-
-TEST_F(Lsa, KeepsTheSummaryOfModesForTheSameCaseAndDropsItForAnother) {
-  // The echo must be equal: both commands count as given in it only once both ran.
-  const std::string file = case_of("C2");
-  ASSERT_EQ(pennon({"modes", file, "--quiet", "--output", results()}).status, done);
-  ASSERT_EQ(pennon({"lsa", file, "--quiet", "--output", results()}).status, done);
-  const auto summary = [&] { return json::parse(test::read_text(results() + "/summary.json")); };
-  EXPECT_TRUE(summary().contains("lsa"));
-  EXPECT_TRUE(summary().contains("normal"));
-  ASSERT_EQ(pennon({"lsa", file, "--quiet", "--set", "flag.mu=0.2", "--output", results()}).status,
-            done);
-  EXPECT_FALSE(summary().contains("normal"));
 }
 
 TEST_F(Lsa, PrintsTheResolvedCaseAndComputesNothingWhenOnlyChecking) {
@@ -191,7 +178,7 @@ TEST_F(Dns, TakesTheTractionOfATableAsItTakesAUniformLoad) {
                                          "[dns.flag]\nn_y = 21\nequilibrium = true\n");
   const auto deflection = [&](const std::string& load) {
     const Outcome outcome =
-        pennon({"dns", file.string(), "--json", "--output", results(), "--set", load});
+        pennon({"dns", file.string(), "--json", "--force", "--output", results(), "--set", load});
     EXPECT_EQ(outcome.status, done) << outcome.err;
     return json::parse(outcome.out).at("dns").at("last").at("z").get<double>();
   };
@@ -219,7 +206,7 @@ TEST_F(Dns, RefusesTheCheckpointOfAnotherFlag) {
   const Outcome outcome = pennon({"dns", file, "--set", "dns.flag.n_y=51", "--restart",
                                   results() + "/checkpoint.h5", "--output", results("other")});
   EXPECT_EQ(outcome.status, bad_input);
-  EXPECT_THAT(outcome.err, HasSubstr("101 nodes"));
+  EXPECT_THAT(outcome.err, HasSubstr("dns.flag.n_y = 101 there, 51 here"));
 }
 
 // The discrete frequency is that of the grid's second differences, 4 (N - 1)^2 sin^2(pi/(2 (N -

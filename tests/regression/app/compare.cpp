@@ -82,7 +82,7 @@ TEST_F(Compare, RefusesTheRunOfAnotherFlag) {
   const Outcome outcome =
       pennon({"compare", case_file(0.2), "--run", results("run"), "--output", results()});
   EXPECT_EQ(outcome.status, bad_input);
-  EXPECT_THAT(outcome.err, HasSubstr("mu = 0.3 there, mu = 0.2 here"));
+  EXPECT_THAT(outcome.err, HasSubstr("flag.mu = 0.3 there, 0.2 here"));
 }
 
 TEST_F(Compare, RefusesWavesAlongASpanThatIsNotThere) {

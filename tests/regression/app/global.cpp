@@ -39,7 +39,7 @@ class ModesGlobal : public test::Commands {
 
 TEST_F(ModesGlobal, PrintsAndWritesTheModesNextToATarget) {
   const std::string file = case_file("n_modes = 3\ntarget = [0.4, 2.6]\n");
-  const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+  const Outcome outcome = pennon({"modes", file, "--json", "--force", "--output", results()});
   ASSERT_EQ(outcome.status, done) << outcome.err;
   const json global = json::parse(outcome.out).at("global");
   EXPECT_EQ(global.at("requested"), 3);
@@ -62,7 +62,7 @@ TEST_F(ModesGlobal, PrintsAndWritesTheModesNextToATarget) {
 
 TEST_F(ModesGlobal, FindsTheLeadingModesWithoutATarget) {
   const std::string file = case_file("n_modes = 4\n");
-  const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+  const Outcome outcome = pennon({"modes", file, "--json", "--force", "--output", results()});
   ASSERT_EQ(outcome.status, done) << outcome.err;
   const json modes = json::parse(outcome.out).at("global").at("modes");
   ASSERT_EQ(modes.size(), 4u);
@@ -75,7 +75,7 @@ TEST_F(ModesGlobal, FindsTheLeadingModesWithoutATarget) {
 TEST_F(ModesGlobal, FindsAllModesNextToATargetThatIsOne) {
   const auto modes = [&](const std::string& target) {
     const std::string file = case_file("n_modes = 4\ntarget = " + target + "\n");
-    const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+    const Outcome outcome = pennon({"modes", file, "--json", "--force", "--output", results()});
     EXPECT_EQ(outcome.status, done) << outcome.err;
     return json::parse(outcome.out).at("global").at("modes");
   };
@@ -89,7 +89,7 @@ TEST_F(ModesGlobal, FindsAllModesNextToATargetThatIsOne) {
 
 TEST_F(ModesGlobal, TakesTheWaveOfTheSpan) {
   const std::string file = case_file("n_modes = 1\ntarget = [-0.1, 2.8]\n", "gamma = 2\n");
-  const Outcome wave = pennon({"modes", file, "--json", "--output", results()});
+  const Outcome wave = pennon({"modes", file, "--json", "--force", "--output", results()});
   ASSERT_EQ(wave.status, done) << wave.err;
   const Outcome same = pennon({"modes",
                                case_file("n_modes = 1\ntarget = [-0.1, 2.8]\nk_x = "
@@ -116,7 +116,7 @@ std::vector<std::string> attributes_of(const std::vector<std::string>& base,
 TEST_F(ModesGlobal, KeepsFieldsThatParaViewOpensOfFlowModesAndWavemaker) {
   const std::string file =
       case_file("n_modes = 2\ntarget = [-0.1, 2.8]\nadjoint = true\n", "gamma = 2\n");
-  const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+  const Outcome outcome = pennon({"modes", file, "--json", "--force", "--output", results()});
   ASSERT_EQ(outcome.status, done) << outcome.err;
   EXPECT_LT(json::parse(outcome.out).at("global").at("biorthogonality_defect"), 1e-8);
   const test::XdmfSummary found = test::check_xdmf(results() + "/global_modes.xdmf");
@@ -179,7 +179,7 @@ TEST_F(ModesGlobal, FindsTheNeutralCurveAndChecksItByTheFullOperator) {
   const std::string file = case_file(
       "n_modes = 0\n[modes.global.neutral]\nRe = [280, 300]\nmu = [0.02, 2]\nomega = [1, 10]\n"
       "[lsa]\nadded_mass = \"wu\"\n");
-  const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+  const Outcome outcome = pennon({"modes", file, "--json", "--force", "--output", results()});
   ASSERT_EQ(outcome.status, done) << outcome.err;
   const json global = json::parse(outcome.out).at("global");
   EXPECT_EQ(global.at("modes").size(), 0u);
@@ -206,7 +206,7 @@ TEST_F(ModesGlobal, FindsTheNeutralCurveAndChecksItByTheFullOperator) {
 TEST_F(ModesGlobal, MapsTheGrowthRateOfTheLeadingModeOfTheFullOperator) {
   const std::string file = case_file(
       "n_modes = 1\n[modes.global.map]\nmu = [0.2, 0.3]\nK_B = [1e-3, 2e-3]\nomega = [1, 10]\n");
-  const Outcome outcome = pennon({"modes", file, "--json", "--output", results()});
+  const Outcome outcome = pennon({"modes", file, "--json", "--force", "--output", results()});
   ASSERT_EQ(outcome.status, done) << outcome.err;
   const json global = json::parse(outcome.out).at("global");
   EXPECT_EQ(global.at("map").at("points"), 4);
@@ -254,7 +254,7 @@ TEST_F(ModesGlobal, OnSeveralRanksFindsTheSame) {
   const auto modes = [&](int ranks) {
     const Outcome outcome =
         pennon({"modes", file, "--set", fmt::format("modes.global.ranks={}", ranks), "--json",
-                "--output", results()});
+                "--force", "--output", results()});
     EXPECT_EQ(outcome.status, done) << outcome.err;
     return json::parse(outcome.out).at("global").at("modes");
   };
@@ -283,7 +283,7 @@ TEST_F(ModesGlobal, SaysWhatMemoryItsFactorsNeed) {
   for (const char* ranks : {"1", "2"}) {
     const Outcome outcome =
         pennon({"modes", case_file("target = [0.4, 2.6]\n"), "--set",
-                std::string("modes.global.ranks=") + ranks, "--output", results()});
+                std::string("modes.global.ranks=") + ranks, "--force", "--output", results()});
     EXPECT_EQ(outcome.status, test::not_converged);
     EXPECT_THAT(outcome.err, HasSubstr("the factors of 768 unknowns need about"));
     EXPECT_THAT(outcome.err, HasSubstr("a smaller modes.global.n_rho or n_theta needs less"));

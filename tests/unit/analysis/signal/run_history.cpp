@@ -113,7 +113,7 @@ TEST_F(ReadRun, NamesAnArrayOfAnotherLength) {
   file.write("/trailing_edge", {2, 1, 3}, std::vector<double>(6, 0.0));
   file.finish();
   EXPECT_THAT(test::failure_of<InputError>([&] { read_run_history(folder_.path()); }),
-              HasSubstr("has 2 entries along index 0 of /trailing_edge"));
+              HasSubstr("has an array /trailing_edge of 2 x 1 x 3, where 60 x n x 3 is needed"));
 }
 
 }  // namespace

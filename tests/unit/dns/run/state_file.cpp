@@ -157,10 +157,10 @@ TEST_F(StateFile, HoldsTheFlagsState) {
   hdf5::Writer file(path_);
   write_state(state, file);
   file.finish();
-  const FlagState<3> read = read_flag_state<3>(hdf5::Reader(path_), nodes, path_);
+  const FlagState<3> read = read_flag_state<3>(hdf5::Reader(path_), nodes);
   visit_both(state, read, Comparison());
-  EXPECT_THROW(read_flag_state<3>(hdf5::Reader(path_), nodes + 1, path_), InputError);
-  EXPECT_THROW(read_flag_state<2>(hdf5::Reader(path_), nodes, path_), InputError);
+  EXPECT_THROW(read_flag_state<3>(hdf5::Reader(path_), nodes + 1), InputError);
+  EXPECT_THROW(read_flag_state<2>(hdf5::Reader(path_), nodes), InputError);
 }
 
 // Before there is a step before.
@@ -171,7 +171,7 @@ TEST_F(StateFile, HoldsAFlagAtItsStart) {
   hdf5::Writer file(path_);
   write_state(state, file);
   file.finish();
-  const FlagState<2> read = read_flag_state<2>(hdf5::Reader(path_), nodes, path_);
+  const FlagState<2> read = read_flag_state<2>(hdf5::Reader(path_), nodes);
   visit_both(state, read, Comparison());
 }
 
@@ -184,12 +184,12 @@ TEST_F(StateFile, HoldsTheStateOfFlagAndFluid) {
   write_flag_of(state, energy, file);
   file.finish();
   CoupledState<3> read;
-  read.fluid = read_fluid_state(hdf5::Reader(path_), fluid_, path_);
-  EXPECT_EQ(read_flag_of(hdf5::Reader(path_), nodes, path_, read), energy);
+  read.fluid = read_fluid_state(hdf5::Reader(path_), fluid_);
+  EXPECT_EQ(read_flag_of(hdf5::Reader(path_), nodes, 4, read), energy);
   visit_both(state, read, Comparison());
   const Fluid finer(OGrid({.n_rho = 8, .n_theta = 8, .R = 2, .wall_spacing = 0.2}), Span(4, 2.0),
                     {100, 0.5}, {});
-  EXPECT_THROW(read_fluid_state(hdf5::Reader(path_), finer, path_), InputError);
+  EXPECT_THROW(read_fluid_state(hdf5::Reader(path_), finer), InputError);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(EqualSteps, AreNoMoreThanTheRunTakesUpToRounding) {
 
 TEST(EqualSteps, GoOnAfterARestart) {
   EqualSteps steps(0.25, 1);
-  steps.go_on_after(3);
+  steps.go_on(0, 3);
   EXPECT_EQ(steps.next_time(), 1);
   steps.take();
   EXPECT_TRUE(steps.are_done());
