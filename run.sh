@@ -18,7 +18,13 @@ set_up_programs
 run_pennon lsa data/cases/table1/C2D.toml
 run_pennon modes data/cases/table1/C2D.toml
 run_pennon lsa data/cases/verdicts_of_table1.toml
-run_pennon dns data/cases/table1/C2D.toml
+# The simulation goes on where an earlier run.sh was stopped.
+checkpoint=results/C2D/dns/checkpoint.h5
+if [[ -e $checkpoint && ! -e results/C2D/dns/summary.json ]]; then
+  run_pennon dns data/cases/table1/C2D.toml --restart "$checkpoint"
+else
+  run_pennon dns data/cases/table1/C2D.toml
+fi
 run_pennon analyze results/C2D
 shopt -s nullglob
 for case_file in data/cases/figures/*.toml; do
