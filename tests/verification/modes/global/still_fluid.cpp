@@ -11,7 +11,7 @@
 #include "common/petsc/petsc.hpp"
 #include "dns/fluid/equations/wall_faces.hpp"
 #include "modes/global/equations/coupled_operator.hpp"
-#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/krylov_schur.hpp"
 #include "modes/global/solve/slepc/mumps_factors.hpp"
 
 namespace pennon::modes::global {

@@ -7,7 +7,7 @@
 #include "common/petsc/petsc.hpp"
 #include "dns/fluid/equations/wall_faces.hpp"
 #include "modes/global/equations/coupled_operator.hpp"
-#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/krylov_schur.hpp"
 #include "modes/global/solve/slepc/mumps_factors.hpp"
 #include "modes/global/study/study.hpp"
 
@@ -39,8 +39,8 @@ Matrix mass(int n) {
   return B;
 }
 
-Spectrum near(const SparsePencil& pencil, Complex target, int requested, bool with_adjoints) {
-  return eigenpairs_near(pencil, ShiftedSparse(pencil, target, mumps_factors()), target, requested,
+Spectrum near(const SparsePencil& pencil, Complex target, int n_modes, bool with_adjoints) {
+  return eigenpairs_near(pencil, ShiftedSparse(pencil, target, mumps_factors()), target, n_modes,
                          with_adjoints);
 }
 
