@@ -13,7 +13,7 @@
 #include "common/parallel/exit_code.hpp"
 #include "common/parallel/ranks.hpp"
 #include "common/petsc/petsc.hpp"
-#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/krylov_schur.hpp"
 #include "modes/global/solve/slepc/mumps_factors.hpp"
 #include "modes/global/study/fields_file.hpp"
 #include "modes/global/study/wire.hpp"

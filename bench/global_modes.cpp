@@ -8,7 +8,7 @@
 #include <sys/resource.h>
 
 #include "common/petsc/petsc.hpp"
-#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/krylov_schur.hpp"
 #include "modes/global/solve/slepc/mumps_factors.hpp"
 #include "modes/global/study/study.hpp"
 

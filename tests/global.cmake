@@ -30,7 +30,7 @@ pennon_test(test_global_validation
 # In programs of their own: PETSc with complex numbers.
 pennon_test(test_global_eigensolver
   SOURCES
-    unit/modes/global/solve/eigensolver.cpp
+    unit/modes/global/solve/slepc/krylov_schur.cpp
   LINK pennon::modes_global_study pennon::modes_global_solve_slepc)
 pennon_test(test_global_eigensolver_verification
   SOURCES

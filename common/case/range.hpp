@@ -1,4 +1,5 @@
-/// The values a number may take, and how to say so.
+/// A range: the interval of values that a number of the case file may have, and how to say so. The
+/// values that a parameter takes in turn along an axis of a curve or map are a Sweep (sweep.hpp).
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@ struct Range {
   double low;
   double high;
 
-  /// False for NaN and for infinities.
+  /// Whether low <= value <= high; false for NaN and for infinities.
   bool contains(double value) const { return value >= low && value <= high; }
   /// "> 0 (1e-30 to 1e+30)", ">= 0 and <= 0.5", "of magnitude up to 1e+30".
   std::string text() const;

@@ -15,9 +15,9 @@ enum ExitCode : int { exit_done = 0, exit_other = 1, exit_bad_input = 2, exit_no
 ///   SolverError              exit_not_converged
 ///   Interrupted, any other   exit_other
 ///
-/// All ranks throw the first three, so that only the leading one speaks. Any other exception may be
-/// one rank's alone (a full disk, a bug): that rank speaks and, as the others would wait for it,
-/// ends them all.
+/// All MPI ranks throw the first three, so that only the leading one speaks. Any other exception
+/// may be one rank's alone (a full disk, a bug): that rank speaks and, as the others would wait for
+/// it, ends them all.
 int exit_code_of(const std::function<int()>& program);
 
 }  // namespace pennon

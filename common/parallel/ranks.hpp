@@ -1,5 +1,6 @@
-/// The ranks of a parallel run (mpiexec -n N pennon ...), and what they agree on. A program that
-/// was not started so has one.
+/// The MPI ranks, that is processes, of a parallel run (mpiexec -n N pennon ...), and what they
+/// agree on. A program that was not started so has one. Elsewhere in the code, too, a rank is an
+/// MPI rank, unless a comment says that it is the rank of a matrix.
 #pragma once
 
 #include <cstddef>
@@ -9,24 +10,25 @@
 namespace pennon::ranks {
 
 int count();
+/// The number of this rank, from 0.
 int mine();
 /// Whether this rank writes the files and speaks to the user.
 inline bool is_leading() {
   return mine() == 0;
 }
 
-/// Over all ranks; each must call. Sums are rounded alike on every rank.
+/// Over all ranks, each of which must call. The result is the same on every rank, to the last bit.
 double sum(double);
 double largest(double);
 double least(double);
 bool any(bool);
-void sum(std::span<double> values);  ///< each by itself, in place
+void sum(std::span<double> values);  ///< entry by entry, in place
 
-/// The values of all ranks one behind the other, in the order of the ranks; empty but on the
-/// leading one.
+/// The values of all ranks one behind the other, in the order of the ranks, on the leading rank;
+/// nothing on the others. Each rank must call, here and below.
 std::vector<double> gather(std::span<const double> values);
 
-/// The same on every rank.
+/// The values of all ranks on every rank.
 std::vector<double> gather_all(std::span<const double> values);
 void gather_all(std::span<const double> values, std::vector<double>& all);
 

@@ -51,8 +51,8 @@ using Vector = Handle<Vec, VecDestroy>;
 using Matrix = Handle<Mat, MatDestroy>;
 using KrylovMethod = Handle<KSP, KSPDestroy>;
 
-/// Runs a function inside a C callback: an exception becomes an error code here, and is thrown
-/// again by rethrow() once PETSc has returned.
+/// Runs a function inside a C callback, through which no exception may pass: an exception is kept
+/// in `caught` and becomes an error code. The caller rethrows it once PETSc has returned.
 template <class Function>
 PetscErrorCode guarded(std::exception_ptr& caught, Function&& function) {
   try {

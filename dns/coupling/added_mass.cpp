@@ -118,9 +118,10 @@ void AddedMass<dim>::find_flux(const NodeVectors<dim>& acceleration, SegmentValu
 }
 
 template <int dim>
-void AddedMass<dim>::find_jump(const NodeVectors<dim>& acceleration, SegmentValues& jump) const {
-  find_flux(acceleration, jump);
-  multiply_waves(response_, jump);
+void AddedMass<dim>::find_response(const NodeVectors<dim>& acceleration,
+                                   SegmentValues& response) const {
+  find_flux(acceleration, response);
+  multiply_waves(response_, response);
 }
 
 template <int dim>
@@ -138,7 +139,7 @@ template <int dim>
 void AddedMass<dim>::subtract_force(const NodeVectors<dim>& acceleration,
                                     NodeVectors<dim>& forces) const {
   SegmentValues jump;
-  find_jump(acceleration, jump);
+  find_response(acceleration, jump);
   jump = -jump;
   add_force(jump, forces);
 }
@@ -171,7 +172,7 @@ void AddedMass<dim>::precondition(const double* in, double* out) {
   NodeVectors<dim> r = Eigen::Map<const NodeVectors<dim>>(in, dim, nodes);
   vectors_ = r * inverse_mass_.asDiagonal();
   SegmentValues jump;
-  find_jump(vectors_, jump);
+  find_response(vectors_, jump);
   multiply_waves(preconditioner_, jump);
   jump = -jump;
   add_force(jump, r);

@@ -1,14 +1,15 @@
 /// The added mass of the flag: the pressure that its acceleration makes in the fluid at once.
 ///
-/// The flag's segments, between neighbouring nodes along the chord at each station of the span, are
-/// the faces of the fluid's grid, one above and one below. An acceleration a of the nodes makes
-/// fluid pass through them at the rate phi = A . (a_s + a_{s+1})/2, A a segment's area vector, and
-/// the flat fluid answers with the pressure jump (below minus above) - Pi phi: for each wavenumber
-/// along the span a matrix, found once by FlatPressure. The force of a jump on the nodes is A times
-/// it, half to each. So M_a = E^T Pi E, E from nodes to rates.
+/// The flag's segments, between neighbouring nodes along the chord at each station, are the faces
+/// of the fluid's grid, one above and one below (wall_faces.hpp). An acceleration a of the nodes
+/// makes fluid pass through a segment at the rate phi = A . (a_s + a_{s+1})/2, A the segment's area
+/// vector. The flat fluid answers with the pressure jump [p] = - Pi phi, [p] the pressure below
+/// less that above: Pi is a matrix for each wavenumber along the span, found once by FlatPressure.
+/// The force of a jump on a segment is A [p], half to each of its nodes. So M_a = E^T Pi E, where E
+/// maps accelerations of the nodes to phi.
 ///
-/// Scales: L, V, rho_f; per unit of x, and forces on the nodes of a flag with a span times its
-/// share.
+/// Scales: L, V, rho_f. All is per unit of x, but the forces on the nodes of a flag with a span are
+/// those on the share of the span that belongs to a station.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,25 +25,29 @@
 
 namespace pennon::dns {
 
-/// Pi for one wavenumber k along the span; symmetric but for the wall's extrapolation.
+/// Pi for one wavenumber k along the span, in 1/L: segments x segments, from phi to the pressure
+/// above less that below, - [p]. It is symmetric but for the wall's extrapolation.
 Eigen::MatrixXd flat_jump_response(const OGrid&, double k);
 
-/// A number for each segment: a row for each station, a column for each segment from the leading
-/// edge.
+/// A number for each segment: a row for each station, a column for each segment along the chord,
+/// from the leading edge.
 using SegmentValues = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 template <int dim>
 class AddedMass final : public AddedInertia<dim> {
  public:
-  /// The mesh's chordwise nodes are the grid's corners on the flag, its stations equal the planes.
+  /// Preconditions: the mesh's chordwise nodes are the grid's corners on the flag
+  /// (coupled_chord()), and it has as many stations as the fluid has planes. `mu` is the mass
+  /// ratio.
   AddedMass(const OGrid&, const FlagMesh&, double mu);
 
-  /// The area vectors A of the segments, dim x (stations segments), as the upper faces have them.
+  /// The area vectors A of the segments, dim x (stations times segments), as the upper faces have
+  /// them.
   void set_areas(const NodeVectors<dim>& areas) { areas_ = areas; }
 
-  /// Pi phi for an acceleration of the nodes.
-  void find_jump(const NodeVectors<dim>& acceleration, SegmentValues& jump) const;
-  /// Adds A times the jump to the nodes' forces.
+  /// Pi phi for an acceleration of the nodes: the pressure above less that below, which is - [p].
+  void find_response(const NodeVectors<dim>& acceleration, SegmentValues& response) const;
+  /// Adds A [p], half to each node of a segment, to the nodes' forces; [p] is below less above.
   void add_force(const SegmentValues& jump, NodeVectors<dim>& forces) const;
   /// Subtracts M_a a.
   void subtract_force(const NodeVectors<dim>& acceleration,

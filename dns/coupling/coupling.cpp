@@ -163,7 +163,7 @@ void Coupling<dim>::find_fixed_forces(NodeVectors<dim>& forces) {
     }
 }
 
-// The pressure below less that above.
+// [p], the pressure below less that above: of the sign opposite to AddedMass::find_response().
 template <int dim>
 void Coupling<dim>::find_jump(const FluidState& state, SegmentValues& jump) {
   find_wall_pressure(state.p, wall_pressure_);
@@ -195,14 +195,14 @@ void Coupling<dim>::move_wall(const NodeVectors<dim>& v) {
 // --- The step
 
 template <int dim>
-void Coupling<dim>::guess_jump(const CoupledState<dim>& state, const BackwardDifference& D,
-                               SegmentValues& g) const {
-  if (state.jump.size() == 0)
+void Coupling<dim>::guess_reduced_jump(const CoupledState<dim>& state, const BackwardDifference& D,
+                                       SegmentValues& g) const {
+  if (state.reduced_jump.size() == 0)
     g.setZero(stations_, segments_);
-  else if (state.previous_jump.size() == 0)
-    g = state.jump;
+  else if (state.previous_reduced_jump.size() == 0)
+    g = state.reduced_jump;
   else
-    g = D.guess_last * state.jump + D.guess_before * state.previous_jump;
+    g = D.guess_last * state.reduced_jump + D.guess_before * state.previous_reduced_jump;
 }
 
 template <int dim>
@@ -245,7 +245,7 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   constexpr double rounding = 1e-14;
   newton_.set_tolerance(std::max(0.2 * settings_.tolerance / equation_.mass_factor, rounding));
   double pressure_tolerance = std::min(fluid_.tolerances().pressure, 0.1 * settings_.tolerance);
-  guess_jump(state, D, g_);
+  guess_reduced_jump(state, D, g_);
   // The positions that the extrapolated velocity leads to.
   x_ = (velocity_ - equation_.velocity_rest) / D.next - state.flag.x;
   flag_.clear_held(x_);
@@ -258,7 +258,7 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
     // It bounds the error's mean over the fluid; that at an edge of the flag can be much larger,
     // and the jump then stays as it is.
     if (fluid_.solve_pressure(state.fluid, pressure_tolerance) == 0) pressure_tolerance *= 0.1;
-    added_mass_.find_jump(a_, change_);
+    added_mass_.find_response(a_, change_);
     find_jump(state.fluid, found_);
     change_ += found_ - g_;
     summary.residual = root_mean_square(change_) / std::max(1.0, root_mean_square(g_));
@@ -298,7 +298,7 @@ void Coupling<dim>::accept(CoupledState<dim>& state, const NodeVectors<dim>& for
   replace(flag.v, flag.previous_v, v_);
   flag.previous_dt = equation_.dt;
   flag.t += equation_.dt;
-  replace(state.jump, state.previous_jump, g_);
+  replace(state.reduced_jump, state.previous_reduced_jump, g_);
 }
 
 template <int dim>
@@ -310,8 +310,8 @@ CoupledStepSummary Coupling<dim>::advance_held(CoupledState<dim>& state, double 
   state.flag.previous_v = state.flag.v;
   state.flag.previous_dt = dt;
   state.flag.t += dt;
-  std::swap(state.jump, state.previous_jump);
-  find_jump(state.fluid, state.jump);
+  std::swap(state.reduced_jump, state.previous_reduced_jump);
+  find_jump(state.fluid, state.reduced_jump);
   return summary;
 }
 

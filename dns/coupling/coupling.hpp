@@ -5,10 +5,11 @@
 ///
 ///   M a = F(x) + friction + A [p],   [p] = the fluid's answer to v
 ///
-/// with x, v and a by the same backward differences as the fluid. They are found by passes. The
-/// flag is solved with the flat fluid's added mass, for the reduced jump g = [p] + Pi A.a, which is
-/// nearly the same whatever its acceleration; the fluid answers; Anderson's acceleration gives the
-/// next g. docs/theory/coupling.md derives this and shows how it converges.
+/// with x, v and a by the same backward differences as the fluid, and [p] the pressure below less
+/// that above. They are found by passes. In each the flag is solved with the flat fluid's added
+/// mass (added_mass.hpp) under the reduced jump g = [p] + Pi phi, which is nearly the same whatever
+/// the flag's acceleration; the fluid answers with [p]; Anderson's acceleration gives the next g.
+/// docs/theory/coupling.md derives this and shows how it converges.
 #pragma once
 
 #include "dns/coupling/added_mass.hpp"
@@ -27,8 +28,10 @@ template <int dim>
 struct CoupledState {
   FluidState fluid;
   FlagState<dim> flag;
-  SegmentValues jump, previous_jump;  ///< g; empty before there is one
-  double power = 0;                   ///< of the fluid on the flag, now
+  /// g = [p] + Pi phi, in rho_f V^2, at the end of the last step and of the one before; empty
+  /// before there is one. (After advance_held() it is [p], as the flag then does not accelerate.)
+  SegmentValues reduced_jump, previous_reduced_jump;
+  double power = 0;  ///< of the fluid and the outer force on the flag, now
 };
 
 struct CoupledStepSummary {
@@ -56,12 +59,13 @@ class Coupling {
   /// The same with the flag held where it is.
   CoupledStepSummary advance_held(CoupledState<dim>&, double dt);
 
-  /// On the nodes, beside the fluid's and gravity, at the end of the next steps; empty: none.
+  /// Sets the forces on the nodes, beside those of the fluid and of gravity, at the end of the next
+  /// steps: dim x nodes, in rho_f V^2 L^2; empty: none.
   void set_outer_force(NodeVectors<dim> force) { outer_force_ = std::move(force); }
 
   /// Has the next step factor its own tangent, so that what follows depends on the state alone.
   void forget_tangent() { newton_.forget_tangent(); }
-  /// As of FlagNewton.
+  /// See FlagNewton.
   std::optional<KeptTangent> kept_tangent() const { return newton_.kept_tangent(); }
   bool keep(const KeptTangent& tangent) { return newton_.keep(tangent); }
 
@@ -80,7 +84,8 @@ class Coupling {
   void find_fixed_forces(NodeVectors<dim>& forces);
   void find_jump(const FluidState&, SegmentValues& jump);
   void move_wall(const NodeVectors<dim>& v);
-  void guess_jump(const CoupledState<dim>&, const BackwardDifference&, SegmentValues& g) const;
+  void guess_reduced_jump(const CoupledState<dim>&, const BackwardDifference&,
+                          SegmentValues& g) const;
   void solve_flag(const CoupledState<dim>&, CoupledStepSummary&);
   double root_mean_square(const SegmentValues&) const;
   void accept(CoupledState<dim>&, const NodeVectors<dim>& force);
@@ -102,7 +107,7 @@ class Coupling {
   NodeVectors<dim> velocity_, areas_;  // extrapolated; of the segments
   NodeVectors<dim> fixed_;             // forces that the passes do not change
   NodeVectors<dim> x_, v_, a_;         // at its end, of the last pass
-  SegmentValues g_, found_, change_;   // the reduced jump, the fluid's, and what a pass changes
+  SegmentValues g_, found_, change_;   // the reduced jump, the fluid's [p], change of g by a pass
   std::vector<double> face_velocity_, wall_pressure_, here_, gathered_;
 };
 

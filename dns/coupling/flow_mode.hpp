@@ -14,15 +14,16 @@ namespace pennon::dns {
 struct FlowMode {
   std::complex<double> lambda;
   double k_x = 0;
-  /// v, w and, with a span or cross-flow, u; pressure. Of one plane.
+  /// The steady flow in a plane: velocity along y, z and, with a span or cross-flow, x; pressure.
   std::vector<Field<double>> steady_u;
   Field<double> steady_p;
   std::vector<bool> is_inflow;  ///< of the outer faces
-  /// x less that of the station, and y, of the flag's nodes from the leading edge.
+  /// Where the nodes of a station are in the steady flow, from the leading edge: x less that of the
+  /// station, and y.
   std::vector<std::array<double, 2>> flag;
   std::vector<Field<std::complex<double>>> u;  ///< at points that move with the grid
   Field<std::complex<double>> p;
-  std::vector<std::complex<double>> zeta, zeta_t;  ///< of those nodes, along z
+  std::vector<std::complex<double>> zeta, zeta_t;  ///< of those nodes, along z; zeta_t = d zeta/dt
 
   FlowMode(const Extent& plane, int components)
       : steady_u(static_cast<std::size_t>(components), Field<double>(plane)),

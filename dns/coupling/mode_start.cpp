@@ -58,7 +58,7 @@ class ModeStart {
   void operator()(const MemberInfo& info, NodeVectors<dim>& nodes) {
     nodes = info.kind == MemberKind::velocity ? velocity_at(time_of(info)) : flag_at(time_of(info));
   }
-  // The first steps find the jump.
+  // The reduced jump stays empty: the first step begins without one.
   void operator()(const MemberInfo&, SegmentValues&) {}
   void operator()(const MemberInfo&, double&) {}
 

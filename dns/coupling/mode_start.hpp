@@ -6,11 +6,12 @@
 
 namespace pennon::dns {
 
-/// At t = 0 the steady flow with amplitude Re[mode exp(i k_x x + lambda t)] added, as if steps of
-/// dt had led there: what a step needs of times before is that of t = -dt and -2 dt. `amplitude` in
-/// L if the mode's largest displacement is 1. Precondition: the mode is of the fluid's grid and
-/// number of components, and a multiple of its wave fits the span. Throws SolverError where the
-/// flag is displaced so far that no grid follows.
+/// The state at t = 0 of a simulation with steps of dt: the steady flow plus amplitude times
+/// Re[mode exp(i k_x x + lambda t)]. The members that hold earlier times are given the same sum at
+/// t = -dt and -2 dt, so that the first step goes on as if steps of dt had led there. `amplitude`
+/// is in L if the mode's largest displacement is 1. Preconditions: the mode is of the fluid's grid
+/// and number of components, and a whole number of its waves fits the span. Throws SolverError
+/// where the flag is displaced so far that no grid follows.
 template <int dim>
 CoupledState<dim> start_in_mode(Coupling<dim>&, const Fluid&, const Flag<dim>&, const FlowMode&,
                                 double amplitude, double dt);

@@ -1,4 +1,4 @@
-/// What the state of flag and fluid together consists of, for visit().
+/// The members of the state of flag and fluid together, for visit().
 #pragma once
 
 #include <type_traits>
@@ -14,14 +14,15 @@ template <class T>
 concept IsCoupledState = std::is_same_v<std::remove_const_t<T>, CoupledState<2>> ||
     std::is_same_v<std::remove_const_t<T>, CoupledState<3>>;
 
-/// The states of fluid and flag are members with members of their own.
+/// The members of a coupled state under the names that they have in a checkpoint. `fluid` and
+/// `flag` are themselves states with members; the reduced jump is called "jump" there.
 template <IsCoupledState State>
 auto members_of(State& state) {
-  auto& [fluid, flag, jump, previous_jump, power] = state;
+  auto& [fluid, flag, reduced_jump, previous_reduced_jump, power] = state;
   return std::tuple{member("fluid", MemberKind::state, fluid),
                     member("flag", MemberKind::state, flag),
-                    member("jump", MemberKind::pressure, jump),
-                    member("previous_jump", MemberKind::pressure, previous_jump, 1),
+                    member("jump", MemberKind::pressure, reduced_jump),
+                    member("previous_jump", MemberKind::pressure, previous_reduced_jump, 1),
                     member("power", MemberKind::number, power)};
 }
 

@@ -39,7 +39,8 @@ struct BendingForm {
   Eigen::SparseMatrix<double> stiffness;  ///< nodes x nodes, symmetric
   Eigen::Matrix3Xd load;                  ///< 3 x nodes; of held slopes and of the period
 
-  /// The same energy as a sum of weight a.b over curvatures, which does not cancel: for its value.
+  /// The same energy as a sum of weight a.b over curvatures. Its value is found from this sum, in
+  /// which the large terms of the quadratic form do not cancel.
   struct Product {
     double weight;
     LinearVector a, b;

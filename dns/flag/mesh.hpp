@@ -2,7 +2,9 @@
 /// chord, and how its edges are held. The chordwise nodes may cluster; the spanwise ones are
 /// equally spaced.
 ///
-/// One spanwise station is the flag in two dimensions, which moves in the (y, z) plane.
+/// A station is a spanwise position of nodes: station i is the row of nodes at s_2 = x_i. In a
+/// simulation with a fluid it lies in the plane i of the fluid's grid (wall_faces.hpp). One station
+/// is the flag in two dimensions, which moves in the (y, z) plane.
 #pragma once
 
 #include <cassert>
@@ -29,8 +31,8 @@ class FlagMesh {
  public:
   /// In two dimensions. `chord` increases from 0, at least three nodes.
   FlagMesh(std::vector<double> chord, EdgeConditions edges);
-  /// `stations` spanwise nodes over the span: from 0 to just before it if periodic, else to its
-  /// end.
+  /// `stations` equally spaced over the span (`span`, in L): from 0 to one spacing before its end
+  /// where the span is periodic, to its end elsewhere.
   FlagMesh(std::vector<double> chord, int stations, double span, EdgeConditions edges);
 
   bool is_two_d() const { return stations_ == 1; }
@@ -47,7 +49,7 @@ class FlagMesh {
   double x(int i) const { return i * dx_; }
   double dx() const { return dx_; }
   double dy(int j) const { return y(j + 1) - y(j); }  ///< of the segment from j to j + 1
-  /// Length of chord and span that a node stands for; their product is its area.
+  /// Length of chord and of span that a node stands for, in L; their product is its area.
   double chord_share(int j) const;
   double span_share(int i) const;
   double area(int i, int j) const { return chord_share(j) * span_share(i); }

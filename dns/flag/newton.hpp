@@ -20,13 +20,14 @@ struct NewtonSettings {
   double tolerance = 1e-10;  ///< of the last change of any position, in L
   int most_iterations = 25;
   int most_halvings = 12;  ///< of a step that does not converge
-  /// The tangent is factored anew when an iteration shrinks the change by less than this. 0:
-  /// always.
+  /// The tangent is filled anew where the change of an iteration is more than this share of the
+  /// change before, and then also factored anew (with an added mass: where the solver of the added
+  /// mass takes many iterations with the factors at hand). 0: in every iteration.
   double contraction = 0;
 };
 
-/// A tangent serves until an iteration shrinks the error by less than this; along the chord alone
-/// factoring costs no more than a solution, and every iteration has its own.
+/// NewtonSettings::contraction as simulations have it. In two dimensions factoring the tangent
+/// costs no more than solving with it, so that every iteration has its own.
 template <int dim>
 inline constexpr double usual_contraction = dim == 2 ? 0.0 : 0.1;
 
@@ -46,11 +47,12 @@ struct FlagEquation {
   double dt = 0;
   AddedInertia<dim>* added_mass = nullptr;  ///< none: the flag by itself
 
-  /// All but the guess and the loads: v and dv/dt at the end of the step by backward differences.
+  /// Sets all but the guess and the loads, for a step whose v and dv/dt at its end are backward
+  /// differences.
   void pose(const FlagState<dim>&, const BackwardDifference&, double dt);
 };
 
-/// The tangent that the next solution begins with, where it does not make its own.
+/// The factored tangent with which the next solution begins where it does not factor its own.
 struct KeptTangent {
   double mass_factor = 0;
   TangentFactors factors;

@@ -20,7 +20,7 @@ class PressureLoad {
  public:
   explicit PressureLoad(const FlagMesh&);
 
-  /// Cells, or segments; spanwise rank first, chordwise rank running fastest.
+  /// The number of cells, or of segments. They are counted station by station, along the chord.
   int elements() const { return static_cast<int>(elements_.size()); }
 
   /// Adds the forces of the jumps `p`, one for each element, in rho_f V^2. With

@@ -1,5 +1,6 @@
-/// The flag's discretisation: the table [dns.flag]. Of a flag in the flow only the tolerance and
-/// the scheme's defaults matter; its nodes are those of the fluid's grid.
+/// The discretisation of a flag by itself: the table [dns.flag]. A flag in a flow uses none of it:
+/// its nodes are those of the fluid's grid, its trailing edge is free, its span periodic, and its
+/// steps are the coupling's.
 #pragma once
 
 #include <cstdint>
@@ -30,15 +31,15 @@ struct FlagSettings {
 };
 
 void declare(Schema&, FlagSettings&);
-/// `n_x`: the spanwise nodes.
+/// `n_x`: the number of stations along the span.
 void check(const FlagSettings&, std::int64_t n_x, const FlagParameters&, Faults&);
-/// The sentence about too many nodes, where there are; `key` is the one that makes them.
+/// Adds a fault where n_y times n_x nodes are too many; `key` is the key that the fault names.
 void check_nodes(const std::string& key, std::int64_t n_y, std::int64_t n_x, const FlagParameters&,
                  Faults&);
 
-/// The mesh of the case's flag with `n_x` spanwise nodes.
+/// The mesh of the case's flag with `n_x` stations.
 FlagMesh mesh_of(const FlagSettings&, std::int64_t n_x, const FlagParameters&);
-/// The same of other chordwise nodes.
+/// The same with these chordwise nodes instead of those of the settings.
 FlagMesh mesh_of(const FlagSettings&, std::int64_t n_x, const FlagParameters&,
                  std::vector<double> chord);
 

@@ -1,13 +1,11 @@
 /// Time steps of the flag by itself: M dv/dt = F(x, t), dx/dt = v, implicit, by Newton's method
 /// with the exact tangent. Second order.
 ///
-///   energy_conserving    x_1 - x_0 = dt (v_0 + v_1)/2,  M (v_1 - v_0)/dt = F(x_0, x_1) by the
-///   discrete gradient:
-///                        total energy, momentum and angular momentum of a free flag stay to the
-///                        tolerance of Newton's method, whatever the step
-///   backward_difference  v_1 and dv_1/dt by the second-order backward difference of unequal steps,
-///   as the fluid's
-///                        (3.2); the first step after a start is an energy-conserving one
+/// - energy_conserving: x_1 - x_0 = dt (v_0 + v_1)/2, M (v_1 - v_0)/dt = F(x_0, x_1) with the
+///   discrete gradient (step.hpp). Total energy, momentum and angular momentum of a free flag stay
+///   constant to the tolerance of Newton's method, whatever the length of the step.
+/// - backward_difference: v_1 and dv_1/dt by the second-order backward difference of unequal steps
+///   (3.2), as for the fluid. The first step after a start is an energy-conserving one.
 #pragma once
 
 #include <functional>
@@ -36,7 +34,7 @@ class FlagStepper {
   /// when and how far it came; the state is then that of the last part that did.
   StepSummary advance(FlagState<dim>&, const LoadsAt&, double dt);
 
-  /// As of FlagNewton.
+  /// See FlagNewton.
   std::optional<KeptTangent> kept_tangent() const { return newton_.kept_tangent(); }
   bool keep(const KeptTangent& tangent) { return newton_.keep(tangent); }
 

@@ -18,8 +18,8 @@
 
 namespace pennon::dns {
 
-/// What the factors of a matrix are of: as good as the factors, which it gives again to the last
-/// bit.
+/// A matrix that was factored, and the kind of its factors. Checkpoints keep it in place of the
+/// factors, which follow from it again to the last bit.
 struct TangentFactors {
   bool is_definite = false;     ///< Cholesky's factors of the symmetric part; else LU factors
   std::vector<double> entries;  ///< of the matrix, in an order of its own
@@ -29,7 +29,8 @@ template <int dim>
 class TangentMatrix {
  public:
   using Block = Eigen::Matrix<double, dim, dim>;
-  /// Newton's method with a tangent of an earlier iteration contracts less, and does not notice.
+  /// The relative error of solve(). Newton's method with the tangent of an earlier iteration leaves
+  /// a larger share of its error in each iteration, so that this one costs it none.
   static constexpr double solution_error = 1e-3;
 
   /// `coupled`: ordered pairs of nodes, each once, (p, p) among them.
@@ -52,13 +53,13 @@ class TangentMatrix {
 
   /// Factors what add() gave. False if it is singular to working precision.
   bool factor();
-  /// The same if the symmetric part is positive definite: then the solution of a force does work
-  /// with it. False, and nothing factored, if not.
+  /// The same if the symmetric part is positive definite: the displacement that answers a force
+  /// then does positive work with it. False, and nothing factored, if not.
   bool factor_if_definite();
-  /// What the factors at hand are of; no entries for dim = 2, where they are not kept.
+  /// The matrix of the present factors; without entries for dim = 2, where they are not kept.
   TangentFactors factors() const;
-  /// Has them again, and the matrix with them. False, and nothing factored, where the entries are
-  /// not those of a matrix with this pattern, or not of a regular one.
+  /// Sets the matrix to these entries and factors it. False, and nothing factored, where the
+  /// entries are not those of a matrix with this pattern, or the matrix is singular.
   bool factor_again(const TangentFactors&);
   /// Solves for the unknowns in place: dim x nodes, held nodes are left as they are. Precondition:
   /// the last factoring succeeded. Exact but for rounding where the matrix is symmetric or dim = 2,
@@ -79,7 +80,7 @@ class TangentMatrix {
   HeldNodes held_;
   std::vector<int> number_;                   // of each node among the free ones, or -1
   std::vector<int> free_;                     // their nodes
-  std::vector<std::pair<int, int>> coupled_;  // by rank among the free nodes
+  std::vector<std::pair<int, int>> coupled_;  // by number among the free nodes
   std::unique_ptr<Storage> storage_;
   template <class Change>
   void change_unknowns(Eigen::Matrix<double, dim, Eigen::Dynamic>& vectors, const Change&) const;

@@ -10,9 +10,10 @@ namespace pennon::dns {
 
 class FlatPressure {
  public:
+  /// `k` in 1/L.
   FlatPressure(const OGrid&, double k);
 
-  /// Solves in place: n_rho rows of n_theta integrals become pressures.
+  /// Solves in place: n_rho rows of n_theta integrals of lap p over the cells become pressures.
   void solve(double* values);
 
  private:

@@ -4,9 +4,10 @@
 ///   D_t v + ((v - v_g) . grad) v = - grad p + 1/Re lap v,     div v = 0,
 ///
 /// D_t the backward difference at fixed grid coordinates, v_g the grid's velocity by the same
-/// difference. Velocities and pressure at cell centres, div v = 0 for the fluxes through the faces.
-/// docs/theory/fluid.md derives the discrete equations. A step is begin_step(), solve_pressure(),
-/// finish_step() in fluid.cpp; its parts are moving_grid, prediction and projection.
+/// difference. Velocity and pressure are kept at cell centres; div v = 0 holds for the fluxes
+/// through the faces. docs/theory/fluid.md derives the discrete equations. A step is begin_step(),
+/// solve_pressure(), finish_step() in fluid.cpp; its parts are moving_grid, prediction and
+/// projection.
 ///
 /// Scales: L, V, rho_f. Order 2 in space and time.
 #pragma once
@@ -69,9 +70,11 @@ class Fluid {
   FluidStepSummary finish_step(FluidState&);
   /// The velocity without the new pressure, between begin_step() and the first solve_pressure().
   const std::vector<Field<double>>& predicted_velocity() const { return velocity_; }
-  /// n_theta numbers for each plane, at the middle of the faces.
+  /// Sets a component of the velocity of the wall's faces, at their middle: n_theta numbers for
+  /// each plane of this rank.
   void set_wall_velocity(std::size_t component, std::span<const double> velocity);
 
+  /// Adds a body force or sets the wall's velocity, for manufactured solutions.
   void manufacture(Manufactured terms) { manufactured_ = std::move(terms); }
 
   /// The centre of a cell, (y, z).

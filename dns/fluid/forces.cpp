@@ -90,7 +90,7 @@ WallTraction wall_traction(const Fluid& fluid, const FluidState& state) {
   return traction;
 }
 
-Vector3 station_force(const Fluid& fluid, const WallTraction& traction, int plane) {
+Vector3 plane_force(const Fluid& fluid, const WallTraction& traction, int plane) {
   const auto n_theta = static_cast<std::size_t>(fluid.extent().n_theta);
   Vector3 sum{};
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -102,7 +102,7 @@ Vector3 station_force(const Fluid& fluid, const WallTraction& traction, int plan
 Vector3 total_force(const Fluid& fluid, const WallTraction& traction) {
   Vector3 mean{};
   for (int plane = 0; plane < fluid.extent().planes; ++plane) {
-    const Vector3 force = station_force(fluid, traction, plane);
+    const Vector3 force = plane_force(fluid, traction, plane);
     for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += force[axis] / fluid.span().planes();
   }
   ranks::sum(mean);

@@ -20,8 +20,8 @@ namespace pennon::dns {
 /// Along x, y, z.
 using Vector3 = std::array<double, 3>;
 
-/// At the wall's faces of all planes, n_theta numbers for each; forces act on the flag, are those
-/// of a face and per unit of x.
+/// What the fluid does to the wall's faces, n_theta numbers for each plane. The forces act on
+/// the flag; each is that of one face, per unit of x.
 struct WallTraction {
   std::array<std::vector<double>, 3> force;  ///< along x, y, z, of pressure and friction
   std::vector<double> pressure;              ///< at the middle of the face
@@ -48,8 +48,8 @@ void find_wall_pressure(const Field<double>& p, std::vector<double>& pressure);
 
 /// The sum over both sides and the span, per unit of x: C_D and C_L are twice its y and z.
 Vector3 total_force(const Fluid&, const WallTraction&);
-/// The same of one plane.
-Vector3 station_force(const Fluid&, const WallTraction&, int plane);
+/// The same of one plane: the force on the flag's station in it.
+Vector3 plane_force(const Fluid&, const WallTraction&, int plane);
 
 /// Per unit of x.
 struct FluidBudget {

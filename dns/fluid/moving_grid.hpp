@@ -26,7 +26,7 @@ class MovingGrid {
  public:
   MovingGrid(const OGrid&, const Span&, const FluidTolerances&, FluidScratch&);
 
-  /// Brings the corners to rest about the wall at time t from whatever `grid` holds. Throws
+  /// Solves for the corners about the wall at time t; what `grid` holds is the first guess. Throws
   /// SolverError where no grid fits.
   void fit(const WallShape&, double t, Displacement<double>& grid);
 

@@ -27,9 +27,9 @@ class Prediction {
              const FluidTolerances&, const Upwinding&, const Manufactured&, int components,
              FluidScratch&, const std::shared_ptr<KrylovSpace>&);
 
-  /// v* into `velocity`, what it adds to the extrapolation into state.u_change; iterations and the
-  /// Courant number into the summary. state.p comes with its ghosts. Throws SolverError where the
-  /// solver does not converge.
+  /// Writes v* into `velocity`, its difference from the extrapolated velocity into state.u_change,
+  /// iterations and the Courant number into the summary. Precondition: state.p has its ghosts.
+  /// Throws SolverError where the solver does not converge.
   void predict(const FluidStep&, const WallVelocity&, FluidState&,
                std::vector<Field<double>>& velocity, FluidStepSummary&);
 

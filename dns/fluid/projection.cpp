@@ -38,7 +38,7 @@ void Projection::begin() {
 
 void Projection::pose(const FluidStep& step, bool is_start, FluidState& state,
                       std::vector<Field<double>>& velocity) {
-  const double tau = step.dt_of_pressure();
+  const double dt_of_pressure = step.dt_of_pressure();
   if (is_start)
     std::ranges::fill(outer_pressure_, 0.0);
   else
@@ -47,7 +47,7 @@ void Projection::pose(const FluidStep& step, bool is_start, FluidState& state,
     if (!is_start && has_pressure_gradient(span_, c)) {
       const FieldLease gradient = scratch_.fields.lease("pressure gradient of the last step");
       find_pressure_gradient(moving_.metrics(), span_, c, state.p, scratch_, *gradient);
-      combine(1, velocity[c], tau, *gradient, velocity[c]);
+      combine(1, velocity[c], dt_of_pressure, *gradient, velocity[c]);
     }
     for (int plane = 0; plane < extent_.planes; ++plane)
       velocity[c].wrap_theta(plane, 0, extent_.n_rho);
@@ -65,7 +65,7 @@ void Projection::pose(const FluidStep& step, bool is_start, FluidState& state,
       for (int i = 0; i < extent_.n_theta; ++i) flux[i] = volume[i] * u[i];
     });
   }
-  subtract_outer_gradient(tau, flux_x.get());
+  subtract_outer_gradient(dt_of_pressure, flux_x.get());
   right_side_ = scratch_.vectors.lease("divergence of the predicted velocity");
   solution_ = scratch_.vectors.lease("pressure");
   {
@@ -76,7 +76,7 @@ void Projection::pose(const FluidStep& step, bool is_start, FluidState& state,
     pack(*divergence, right_side_->data());
   }
   if (flux_x) add_flux_along_x(span_, 1, *flux_x, right_side_->data());
-  for (std::size_t cell = 0; cell < extent_.cells(); ++cell) (*right_side_)[cell] /= tau;
+  for (std::size_t cell = 0; cell < extent_.cells(); ++cell) (*right_side_)[cell] /= dt_of_pressure;
   if (is_start) {
     std::ranges::fill(*solution_, 0.0);
   } else {
@@ -102,7 +102,7 @@ void Projection::find_fluxes(const std::vector<Field<double>>& velocity) {
 // Takes from the fluxes what the pressure of the outer boundary makes of the gradient by itself:
 // that of a field which is 0 at the cells and twice that pressure in the ghosts. No area there has
 // a part along x.
-void Projection::subtract_outer_gradient(double tau, Field<double>* flux_x) {
+void Projection::subtract_outer_gradient(double dt_of_pressure, Field<double>* flux_x) {
   const int n_rho = extent_.n_rho, n_theta = extent_.n_theta;
   const Metrics<double>& metrics = moving_.metrics();
   const FieldLease outer = scratch_.fields.lease("pressure of the outer boundary"),
@@ -114,14 +114,16 @@ void Projection::subtract_outer_gradient(double tau, Field<double>* flux_x) {
       outer->row(plane, n_rho)[i] = 2 * outer_pressure_[extent_.wall_face(plane, i)];
     outer->wrap_theta(plane, n_rho - 2, n_rho + 1);
     gradient_flux_across_rho<double>(metrics, plane, n_rho, *outer, nullptr, through);
-    for (int i = 0; i < n_theta; ++i) flux_rho_->row(plane, n_rho)[i] -= tau * through[i];
+    for (int i = 0; i < n_theta; ++i)
+      flux_rho_->row(plane, n_rho)[i] -= dt_of_pressure * through[i];
     gradient_flux_across_theta<double>(metrics, plane, n_rho - 1, *outer, nullptr, through);
-    for (int i = 0; i <= n_theta; ++i) flux_theta_->row(plane, n_rho - 1)[i] -= tau * through[i];
+    for (int i = 0; i <= n_theta; ++i)
+      flux_theta_->row(plane, n_rho - 1)[i] -= dt_of_pressure * through[i];
     if (!flux_x) continue;
     const double *s_x = metrics.s_x.row(plane, n_rho - 1),
                  *volume = metrics.volume.row(plane, n_rho - 1), *p = outer->row(plane, n_rho);
     double* flux = flux_x->row(plane, n_rho - 1);
-    for (int i = 0; i < n_theta; ++i) flux[i] -= tau * volume[i] * s_x[i] * 0.5 * p[i];
+    for (int i = 0; i < n_theta; ++i) flux[i] -= dt_of_pressure * volume[i] * s_x[i] * 0.5 * p[i];
   }
 }
 
@@ -148,7 +150,7 @@ KrylovSummary Projection::solve(double tolerance, Field<double>& p) {
 
 void Projection::finish(const FluidStep& step, const std::vector<Field<double>>& velocity,
                         FluidState& state) {
-  const double tau = step.dt_of_pressure();
+  const double dt_of_pressure = step.dt_of_pressure();
   right_side_.release();
   solution_.release();
   extend_pressure(state.p, 0);  // pose() has taken the outer pressure's part
@@ -162,7 +164,8 @@ void Projection::finish(const FluidStep& step, const std::vector<Field<double>>&
     }
     for (int plane = 0; plane < extent_.planes; ++plane) {
       gradient_flux(moving_.metrics(), plane, state.p, p_xi.get(), *across_rho, *across_theta);
-      subtract_pressure_flux(plane, tau, *across_rho, *across_theta, *flux_rho_, *flux_theta_);
+      subtract_pressure_flux(plane, dt_of_pressure, *across_rho, *across_theta, *flux_rho_,
+                             *flux_theta_);
       const double* outer = flux_rho_->row(plane, extent_.n_rho);
       for (int i = 0; i < extent_.n_theta; ++i)
         state.is_inflow[extent_.wall_face(plane, i)] = outer[i] < 0;
@@ -173,7 +176,7 @@ void Projection::finish(const FluidStep& step, const std::vector<Field<double>>&
     std::swap(state.u_last[c], state.u[c]);
     if (has_pressure_gradient(span_, c)) {
       find_pressure_gradient(moving_.metrics(), span_, c, state.p, scratch_, state.u[c]);
-      combine(1, velocity[c], -tau, state.u[c], state.u[c]);
+      combine(1, velocity[c], -dt_of_pressure, state.u[c], state.u[c]);
     } else {
       state.u[c] = velocity[c];
     }

@@ -25,7 +25,7 @@ class Projection {
   Projection(const OGrid&, const Span&, const MovingGrid&, FluidScratch&,
              const std::shared_ptr<KrylovSpace>&);
 
-  /// Lets go of what is kept from the last step: its fluxes.
+  /// Begins a step: the fluxes of the last one, which are kept between steps, are no longer there.
   void begin();
   bool is_posed() const { return is_posed_; }
 
@@ -57,7 +57,7 @@ class Projection {
 
  private:
   void find_fluxes(const std::vector<Field<double>>& velocity);
-  void subtract_outer_gradient(double tau, Field<double>* flux_x);
+  void subtract_outer_gradient(double dt_of_pressure, Field<double>* flux_x);
   void multiply(const double* in, double* out);
   void invert_flat(const double* in, double* out);
 

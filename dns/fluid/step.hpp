@@ -15,12 +15,13 @@ namespace pennon::dns {
 
 /// A step from t - dt to t.
 struct FluidStep {
-  BackwardDifference D{1, 0};
+  BackwardDifference D{1, 0};  ///< D_t of fluid.hpp
   double t = 0, dt = 1;
-  std::array<double, 3> stream{};  ///< its velocity at t, by component
-  std::array<double, 3> drive{};   ///< d/dt of it by D: what drives all of the fluid alike
+  std::array<double, 3> stream{};  ///< the stream's velocity at t, by component
+  std::array<double, 3> drive{};   ///< its rate of change by D: a force on all of the fluid alike
 
-  /// dt' of docs/theory/fluid.md: the length over which the new pressure acts.
+  /// dt' of docs/theory/fluid.md, 2/3 dt in equal steps: the time over which the gradient of the
+  /// new pressure changes the velocity.
   double dt_of_pressure() const { return 1 / D.next; }
 };
 
@@ -31,16 +32,18 @@ struct FluidStepTimes {
 
 struct FluidStepSummary {
   int pressure_iterations = 0;
-  int velocity_iterations = 0;   ///< the more of (v, w) and u
-  int grid_passes = 0;           ///< the most of a plane
-  double least_area = 1;         ///< of a cell, over its area at rest
-  double largest_wall_area = 1;  ///< of a cell at the flag, over its area at rest
-  double CFL = 0;                ///< largest Courant number, sum over the directions
+  /// (v, w) and u are solved for apart: the larger of the two numbers of iterations.
+  int velocity_iterations = 0;
+  int grid_passes = 0;           ///< of the elliptic grid, the largest number in any plane
+  double least_area = 1;         ///< the least of all cells, over its area at rest
+  double largest_wall_area = 1;  ///< the largest of the cells at the flag, over its area at rest
+  double CFL = 0;                ///< largest Courant number, the sum of those of the directions
   FluidStepTimes seconds;
 };
 
 /// A body force and wall velocities given by place and time, along x, y, z, for manufactured
-/// solutions; what is empty is not there. Without wall_velocity the wall moves as its shape does.
+/// solutions. An empty function adds nothing: without wall_velocity the wall moves as its shape
+/// does.
 struct Manufactured {
   using Function = std::function<std::array<double, 3>(double t, double x, double y, double z)>;
   Function force, wall_velocity;

@@ -11,11 +11,12 @@ class VelocityLines {
  public:
   explicit VelocityLines(const Extent&);
 
-  /// For d/dt = `weight` u, the convection C_s, C_t in cells along s and t, and the viscosity
-  /// nu = 1/Re; eliminates from the flag outward.
+  /// Factors the operator, from the flag outward: `weight` is that of the new velocity in its time
+  /// derivative, C_s and C_t carry it, in cells along s and t per time, and nu = 1/Re.
   void prepare(const Metrics<double>&, const Field<double>& C_s, const Field<double>& C_t,
                double weight, double nu);
-  /// `components` components of packed cells, one behind the other.
+  /// Solves with the factors: `in` and `out` hold `components` components of packed cells, one
+  /// behind the other.
   void invert(std::size_t components, const double* in, double* out) const;
 
  private:

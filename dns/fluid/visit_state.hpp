@@ -1,4 +1,4 @@
-/// What the fluid's state consists of, for visit().
+/// The members of the fluid's state, for visit().
 #pragma once
 
 #include <type_traits>

@@ -1,4 +1,4 @@
-/// Values of the fluid at places of the section: a point is found on the moved grid and
+/// Values of the fluid at places (y, z) of a plane: a point is found on the moved grid and
 /// interpolated between the four cell centres about it, linearly in the grid's coordinates. Second
 /// order.
 #pragma once

@@ -10,8 +10,7 @@
 /// Two rules keep a uniform stream uniform and the edges of the flag exact:
 /// - Area vectors come from the corners, so that those of a cell sum to zero; along x, they sum to
 ///   minus the change of its volume.
-/// - grad s and grad t are taken pointwise, where they are used: those of the conformal grid by
-/// their
+/// - grad s and grad t are taken pointwise, where they are used: those of the conformal grid by its
 ///   formula, those of the displacement by differences. (Forming them from areas and mean volumes
 ///   is wrong by a factor 20 at the face next to the trailing edge.)
 /// On the conformal grid area . grad s is then a product of a function of rho and one of theta, and
@@ -28,9 +27,9 @@
 
 namespace pennon::dns {
 
-/// Of the faces across one direction: (area_x, area_y, area_z) is the area vector, pointing along
-/// the growing coordinate; `along` and `across` are area . grad of the coordinate across the face
-/// and of the other one.
+/// Of the faces across one coordinate, rho or theta. (area_x, area_y, area_z) is the area vector,
+/// which points toward larger values of that coordinate. `along` is area . grad of the cell count
+/// (s or t) along that coordinate, `across` area . grad of the other cell count.
 template <class Scalar>
 struct FaceMetrics {
   Field<Scalar> area_x, area_y, area_z, along, across;
@@ -45,12 +44,12 @@ struct Metrics {
   Metrics(const Extent& extent, bool with_span);
 };
 
-/// Fills a plane. `slope_y`, `slope_z`: the derivatives of the displacement by xi, read if the
-/// metrics have a span.
+/// Fills the metrics of a plane. `slope_y`, `slope_z`: the derivatives of the corners' displacement
+/// by xi, read if the metrics have a span.
 template <class Scalar>
 void update_metrics(const OGrid&, int plane, const Displacement<Scalar>& displacement,
                     const Field<Scalar>* slope_y, const Field<Scalar>* slope_z, Metrics<Scalar>&);
-/// The same with both in one.
+/// The same with both derivatives in one object.
 template <class Scalar>
 void update_metrics(const OGrid&, int plane, const Displacement<Scalar>& displacement,
                     const Displacement<Scalar>* slope, Metrics<Scalar>&);

@@ -66,7 +66,7 @@ class OGrid {
   double growth() const { return growth_; }
   bool is_theta_uniform() const { return settings_.wake_clustering == 0; }
 
-  /// y + i z and its derivative by rho + i theta.
+  /// The place y + i z of a point, and its derivative by rho + i theta.
   static std::complex<double> place(double rho, double theta);
   static std::complex<double> slope(double rho, double theta);
 

@@ -22,7 +22,7 @@ class Scratch {
   };
 
  public:
-  /// An array for as long as it lives. An empty lease lends nothing.
+  /// Lends an array for as long as the lease lives. An empty lease lends none.
   class Lease {
    public:
     Lease() = default;

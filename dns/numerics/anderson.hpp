@@ -1,6 +1,6 @@
 /// Anderson's acceleration of a fixed-point iteration x <- x + f(x) (Anderson 1965; type II of
-/// Walker & Ni 2011): the next x is the combination of the last ones whose f is least, and its f
-/// added.
+/// Walker & Ni 2011). Among the affine combinations of the last iterates it takes the one for which
+/// the same combination of their f has the least norm, and adds that f to it.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@ namespace pennon::dns {
 
 class Anderson {
  public:
-  /// The small systems of more differences would need memory in every step.
+  /// The size up to which the small least-squares problem has its memory on the stack.
   static constexpr int most_depth = 30;
 
   /// Keeps the differences to `depth` earlier iterates of n numbers, to most_depth at most.
@@ -20,7 +20,7 @@ class Anderson {
     kept_ = 0;
     has_last_ = false;
   }
-  /// Takes x, where f(x) was found, to the next iterate.
+  /// Overwrites x, for which f = f(x) was found, with the next iterate; n numbers each.
   void advance(Eigen::Ref<Eigen::VectorXd> x, const Eigen::Ref<const Eigen::VectorXd>& f);
 
  private:

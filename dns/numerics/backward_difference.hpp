@@ -8,8 +8,8 @@
 namespace pennon::dns {
 
 struct BackwardDifference {
-  double next, last, before;                ///< of the derivative
-  double guess_last = 1, guess_before = 0;  ///< of the extrapolation
+  double next, last, before;                ///< weights of f in the derivative
+  double guess_last = 1, guess_before = 0;  ///< weights of f in the extrapolated value
 
   /// `previous_dt` 0: there is no step before.
   BackwardDifference(double dt, double previous_dt) {

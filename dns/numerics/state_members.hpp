@@ -1,4 +1,4 @@
-/// What a state of a simulation consists of, told once.
+/// The members that a state of a simulation has, listed in one place.
 ///
 /// Beside each state stands members_of(state): a tuple of its members, each with its name and what
 /// it is. Checkpoints, restarts, starts and perturbations go through visit(), so that a member

@@ -1,5 +1,5 @@
-/// What the flow runs about: a flag that moves as prescribed, or one that the flow moves. Flow
-/// advances it, keeps its history and saves it.
+/// The body that the flow of a run passes: a flag that moves as prescribed, or one that the flow
+/// moves. fluid_run.cpp advances it through time, keeps its history and saves it.
 #pragma once
 
 #include <memory>
@@ -20,11 +20,12 @@ class FlowBody {
 
   virtual FluidState& fluid() = 0;
   virtual const FluidState& fluid() const = 0;
-  /// The state at t = 0, from where the first step is dt.
+  /// Sets the state at t = 0; the first step will be dt long.
   virtual void start(double dt) = 0;
   virtual CoupledStepSummary advance(double dt) = 0;
 
-  /// Adds to a row of the history that add_row() has begun. Leading rank or not.
+  /// Adds the body's columns to a row of the history that add_row() has begun. Every MPI rank
+  /// calls.
   virtual void complete_row(const CoupledStepSummary&, FluidHistory&) const {}
   virtual void add_shape(FluidHistory&) const {}
   /// What a checkpoint holds beside the fluid's state.

@@ -17,18 +17,18 @@ constexpr const char* velocity_names[] = {"v", "w", "u"};
 
 class ModeReader {
  public:
-  ModeReader(const std::filesystem::path& path, int rank, const Fluid& fluid,
+  ModeReader(const std::filesystem::path& path, int number, const Fluid& fluid,
              const FlagParameters& flag)
       : path_(path),
         file_(path),
-        group_(fmt::format("/mode_{}", rank)),
+        group_(fmt::format("/mode_{}", number)),
         fluid_(fluid),
         plane_{1, fluid.extent().n_rho, fluid.extent().n_theta} {
     if (file_.text("/", "kind") != "global_modes")
       fail("is no file of global modes, as pennon modes writes with [modes.global]");
     if (!file_.contains(group_ + "/zeta_real"))
       fail(fmt::format("holds {} modes; dns.initial.global_mode = {} is not among them",
-                       file_.shape("/growth", {hdf5::any})[0], rank));
+                       file_.shape("/growth", {hdf5::any})[0], number));
     expect_grid();
     expect("flow.Re", "Re", fluid.parameters().Re);
     expect("flow.U", "U", fluid.parameters().U);
@@ -39,12 +39,12 @@ class ModeReader {
     expect_wave();
   }
 
-  FlowMode mode(int rank) const {
+  FlowMode mode(int number) const {
     FlowMode mode(plane_, fluid_.components());
-    const auto index = static_cast<std::size_t>(rank - 1);
+    const auto index = static_cast<std::size_t>(number - 1);
     const std::vector<double> growth = file_.list("/growth"),
                               omega = file_.list("/omega", growth.size());
-    if (index >= growth.size()) fail(fmt::format("has no growth rate of mode {}", rank));
+    if (index >= growth.size()) fail(fmt::format("has no growth rate of mode {}", number));
     mode.lambda = {growth[index], omega[index]};
     mode.k_x = k_x();
     for (std::size_t c = 0; c < mode.u.size(); ++c) {
@@ -171,9 +171,9 @@ class ModeReader {
 
 }  // namespace
 
-FlowMode read_flow_mode(const std::filesystem::path& file, int rank, const Fluid& fluid,
+FlowMode read_flow_mode(const std::filesystem::path& file, int number, const Fluid& fluid,
                         const FlagParameters& flag) {
-  return ModeReader(file, rank, fluid, flag).mode(rank);
+  return ModeReader(file, number, fluid, flag).mode(number);
 }
 
 }  // namespace pennon::dns

@@ -9,11 +9,12 @@
 
 namespace pennon::dns {
 
-/// The mode of that rank, 1 the first in the file, for a simulation of this fluid and flag. Without
-/// a cross-flow a mode without waves along the span serves a simulation with one. Throws InputError
-/// where the file is none, lacks the mode, or was made for another grid, flag or stream, or for a
-/// wave that does not fit the span.
-FlowMode read_flow_mode(const std::filesystem::path& file, int rank, const Fluid&,
+/// Reads a mode for a simulation of this fluid and flag; `number` is 1 for the first in the file.
+/// Without a cross-flow, a mode that does not vary along the span can be read for a simulation with
+/// a span, too: its velocity along x is 0. Throws InputError where the file does not hold global
+/// modes or not this one, or where it was made for another grid, flag or stream, or for a wave that
+/// does not fit the span.
+FlowMode read_flow_mode(const std::filesystem::path& file, int number, const Fluid&,
                         const FlagParameters&);
 
 }  // namespace pennon::dns

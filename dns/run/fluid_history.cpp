@@ -138,7 +138,7 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
   history.rows.push_back(row);
   std::vector<double> stations;
   for (int plane = 0; plane < planes; ++plane) {
-    const Vector3 station = station_force(fluid, traction, plane);
+    const Vector3 station = plane_force(fluid, traction, plane);
     stations.insert(stations.end(), {station[1], station[2], station[0]});
   }
   append(ranks::gather(stations), history.stations);

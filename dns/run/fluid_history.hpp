@@ -22,7 +22,7 @@ using CoupledRow = std::array<double, coupled_columns>;
 
 struct FluidHistory {
   std::vector<FluidRow> rows;
-  std::vector<double> stations;  ///< [row][plane]: drag, lift, side force per span
+  std::vector<double> stations;  ///< [row][station]: drag, lift, side force per unit span
   std::vector<double> probes;    ///< [row][probe][plane]: v, w, u, p
 
   std::vector<CoupledRow> flag;       ///< for each row; none where the flag moves as prescribed

@@ -46,12 +46,12 @@ void declare(Schema& schema, InitialSettings& initial) {
             "largest displacement of a normal mode of the family of [modes.normal], or of a global "
             "mode, in L"})
       .key({"n", &initial.n, "waves along the span of that mode", Range{0, 200}})
-      .key({"m", &initial.m, "rank along the chord of that mode", Range{1, 200}})
+      .key({"m", &initial.m, "number along the chord of that mode, from 1", Range{1, 200}})
       .key(
           {"global_modes", &initial.global_modes,
            "global_modes.h5 of pennon modes: flag and flow start as mode_amplitude times a mode in "
            "it, in its steady flow"})
-      .key({"global_mode", &initial.global_mode, "rank of that mode in the file, from 1",
+      .key({"global_mode", &initial.global_mode, "number of that mode in the file, from 1",
             Range{1, 200}})
       .key({"ramp", &initial.ramp,
             "time over which the stream rises from rest, in L/V; 0: it starts at once",

@@ -16,9 +16,9 @@ struct InitialSettings {
   double angle = 0;              ///< of the straight flag about its leading edge, radians
   double plate_mode = 0;         ///< amplitude of sin(pi x/gamma) sin(pi y)
   double mode_amplitude = 0;     ///< of a normal or global mode, at its largest
-  std::int64_t n = 0, m = 1;     ///< of that mode: waves along the span, rank along the chord
+  std::int64_t n = 0, m = 1;     ///< of that mode: waves along the span, number along the chord
   std::string global_modes;      ///< file of the global mode; empty: a normal mode
-  std::int64_t global_mode = 1;  ///< its rank in that file
+  std::int64_t global_mode = 1;  ///< its number in that file, from 1
   double ramp = 0;               ///< time over which the stream rises
   double release = 0;            ///< time until which a flag in the flow is held
   double kick = 0;               ///< momentum per area given to its trailing edge, rho_f V L

@@ -11,8 +11,8 @@
 namespace pennon::dns {
 namespace {
 
-// Moves the nodes of a chordwise rank along x until the segments between them, and across the seam,
-// are of one length.
+// Moves the nodes with the chordwise index j along x until the segments between them, and across
+// the seam, are of one length.
 void share_strain(const FlagMesh& mesh, int j, NodeVectors<3>& x) {
   const int stations = mesh.stations();
   Eigen::ArrayXd rise_squared(stations);

@@ -1,4 +1,4 @@
-/// Where a flag starts.
+/// The shape with which a simulation of a flag starts.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,12 @@
 
 namespace pennon::dns {
 
-/// The mode of a plate, or z = zeta(x, y) with every chordwise segment at its length, or straight
-/// at an angle; in L. A periodic flag that varies along its span is longer than its period: the
-/// nodes of each chordwise rank share that strain equally, by their x. Throws InputError where zeta
-/// is steeper than the flag is long.
+/// The positions of the nodes, dim x nodes, in L. The flag has one of three shapes: the mode of a
+/// plate (InitialSettings::plate_mode), z = zeta(x, y), or straight at an angle. With zeta each
+/// chordwise segment keeps its length at rest. A periodic flag that varies along its span is longer
+/// than its period: the nodes of each line y = const are placed along x so that all segments
+/// between them have the same strain. Throws InputError where zeta is steeper than the flag is
+/// long.
 template <int dim>
 NodeVectors<dim> initial_shape(const InitialSettings&, const std::optional<ShapeFunction>& zeta,
                                const FlagMesh&);

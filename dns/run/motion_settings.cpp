@@ -27,7 +27,7 @@ void declare(Schema& schema, MotionSettings& motion) {
             not_negative})
       .key({"n", &motion.n, "waves along the span of the mode, of the family of [modes.normal]",
             Range{0, 200}})
-      .key({"m", &motion.m, "rank along the chord of the mode", Range{1, 200}});
+      .key({"m", &motion.m, "number along the chord of the mode, from 1", Range{1, 200}});
 }
 
 void check(const MotionSettings& motion, std::int64_t n_x, const FlagParameters& flag,

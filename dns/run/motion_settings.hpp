@@ -24,11 +24,11 @@ struct MotionSettings {
   double axis = 0;            ///< y of the axis of pitch
   std::int64_t waves = 0;     ///< along the span
   double ramp = 0;            ///< time over which the amplitude rises
-  std::int64_t n = 0, m = 1;  ///< of the mode: waves along the span, rank along the chord
+  std::int64_t n = 0, m = 1;  ///< of the mode: waves along the span, number along the chord
 };
 
 void declare(Schema&, MotionSettings&);
-/// `n_x`: points along the span.
+/// `n_x`: planes along the span.
 void check(const MotionSettings&, std::int64_t n_x, const FlagParameters&, Faults&);
 
 }  // namespace pennon::dns

@@ -27,8 +27,8 @@ void declare(Schema& schema, OutputSettings& output) {
       .key({"field_interval", &output.field_interval,
             "between fields of the fluid, in L/V; 0: none", not_negative})
       .key({"contour_times", &output.contour_times,
-            "times at which the strain is drawn on the flag, in L/V: of the kept shapes the "
-            "nearest; none: on six at equal intervals",
+            "times at which the strain is drawn on the flag, in L/V: on the kept shape nearest to "
+            "each; empty: on six shapes at equal intervals",
             not_negative})
       .key({"checkpoint_interval", &output.checkpoint_interval,
             "between checkpoints, in L/V; 0: none at equal times; there is always one at the end",

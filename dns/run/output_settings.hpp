@@ -15,7 +15,7 @@ struct ProbeSettings {
 struct OutputSettings {
   double history_interval = 0;        ///< 0: every step
   double shape_interval = 0;          ///< 0: none
-  std::vector<double> contour_times;  ///< of the shapes whose strain is drawn; empty: a few
+  std::vector<double> contour_times;  ///< of the shapes whose strain is drawn; empty: six
   double field_interval = 0;          ///< 0: none
   double checkpoint_interval = 0;     ///< in L/V; 0: none at equal times
   double checkpoint_minutes = 5;      ///< of wall time; 0: none as it passes

@@ -19,7 +19,8 @@ void declare_run(Schema& schema, Settings& settings) {
             "dt; with a flag that the flow moves dt/20, unless it starts as a global mode"})
       .key({"t_end", &settings.t_end, "end of the run, in L/V", positive})
       .key({"n_x", &settings.n_x,
-            "spanwise nodes, and Fourier points of the fluid; not used in two dimensions",
+            "stations of the flag and planes of the fluid along the span; not used in two "
+            "dimensions",
             node_count});
   declare_grid(dns, settings.fluid);
 }

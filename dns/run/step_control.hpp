@@ -42,8 +42,9 @@ class CourantSteps {
   /// The next step follows from the one taken and its Courant number.
   void take(double dt, double CFL);
 
-  /// The step as it is without the end of the run: what a restart goes on with. Where `most` is
-  /// less by then, the steps shrink to it.
+  /// The length that the next step would have if the run did not end: next() may shorten it to
+  /// reach t_end. A restart goes on with this length; where `most` is less by
+  /// then, the steps shrink to it.
   double dt() const { return dt_; }
   void go_on_with(double dt) { dt_ = dt; }
 

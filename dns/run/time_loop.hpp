@@ -37,7 +37,8 @@ concept RunsThroughTime = requires(Body body, const Body& self, hdf5::Writer* fi
   { self.has_rows() } -> std::same_as<bool>;
   self.write_results();
 
-  /// "flag_checkpoint", and what a file of another kind is not.
+  /// The attribute "kind" of its checkpoints, as "flag_checkpoint", and what messages call them, as
+  /// "a checkpoint of a flag".
   { self.checkpoint_kind() } -> std::convertible_to<std::string>;
   { self.words_of_checkpoint() } -> std::convertible_to<std::string>;
   self.write(file);  ///< all but the kind; null but on the leading rank

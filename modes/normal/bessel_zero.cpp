@@ -16,11 +16,11 @@ constexpr double largest_correction = 1e-2;
 constexpr int newton_steps = 2;
 
 double first_guess(int n, int m) {
-  const auto rank = static_cast<unsigned>(m);
+  const auto number = static_cast<unsigned>(m);
   gsl_sf_result zero{};
-  const int status = n == 0   ? gsl_sf_bessel_zero_J0_e(rank, &zero)
-                     : n == 1 ? gsl_sf_bessel_zero_J1_e(rank, &zero)
-                              : gsl_sf_bessel_zero_Jnu_e(n, rank, &zero);
+  const int status = n == 0   ? gsl_sf_bessel_zero_J0_e(number, &zero)
+                     : n == 1 ? gsl_sf_bessel_zero_J1_e(number, &zero)
+                              : gsl_sf_bessel_zero_Jnu_e(n, number, &zero);
   if (status != GSL_SUCCESS)
     throw SolverError(
         fmt::format("the zero {} of J_{} was not found: GSL says {}", m, n, gsl_strerror(status)));

@@ -137,16 +137,16 @@ void fix_sign(Eigen::Ref<ExtendedVector> v) {
     }
 }
 
-// The best approximations of eigenpairs among the combinations of the columns of V.
-Eigenpairs rayleigh_ritz(const Operators& operators, const ExtendedMatrix& V,
+// The best approximations of eigenpairs among the combinations of the columns of `basis`.
+Eigenpairs rayleigh_ritz(const Operators& operators, const ExtendedMatrix& basis,
                          const std::string& what) {
-  const ExtendedMatrix K = V.transpose() * operators.stiffness_times(V);
-  const ExtendedMatrix M = V.transpose() * operators.mass_times(V);
+  const ExtendedMatrix K = basis.transpose() * operators.stiffness_times(basis);
+  const ExtendedMatrix M = basis.transpose() * operators.mass_times(basis);
   const Eigen::GeneralizedSelfAdjointEigenSolver<ExtendedMatrix> ritz(K, M);
   if (ritz.info() != Eigen::Success)
     throw SolverError(
-        fmt::format("{}: the {} modes ARPACK found are not independent", what, V.cols()));
-  return {ritz.eigenvalues(), V * ritz.eigenvectors()};
+        fmt::format("{}: the {} modes ARPACK found are not independent", what, basis.cols()));
+  return {ritz.eigenvalues(), basis * ritz.eigenvectors()};
 }
 
 // (K + s M)^-1 (K v - lambda M v).

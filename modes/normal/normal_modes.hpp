@@ -21,7 +21,7 @@ using Profile = std::function<double(double)>;
 
 struct NormalMode {
   int n;                ///< waves along the span
-  int m;                ///< rank along the chord, from 1
+  int m;                ///< number along the chord, from 1
   double k_x;           ///< spanwise wavenumber; 0 in two dimensions
   double alpha;         ///< omega/c with c^2 = 1.3 Re^-1/2/mu; hanging_chain: the zero of J_0
   double omega;         ///< angular frequency, scaled by V/L

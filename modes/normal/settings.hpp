@@ -40,8 +40,8 @@ void declare(Schema&, Settings&);
 /// even if the case has no [modes.normal].
 void check(const Settings&, const FlagParameters&, const FlowParameters&, bool is_asked_for,
            Faults&);
-/// The faults of asking the family for modes along the chord of rank 1 to m, as the key m of
-/// another table does.
+/// The faults of asking the family for the modes with the numbers 1 to m along the chord, as the
+/// key m of another table does.
 void check_family(const Settings&, std::int64_t m, const std::string& table, const FlagParameters&,
                   const FlowParameters&, Faults&);
 

@@ -23,7 +23,7 @@ inline dns::FlowMode mode_near(const CoupledCase& simulation, double k_x, double
   using namespace modes::global;
   const dns::OGrid grid(simulation.grid);
   const PlaneParameters parameters{
-      .Re = simulation.fluid.Re, .U = simulation.fluid.U, .tau = 2 * dt / 3};
+      .Re = simulation.fluid.Re, .U = simulation.fluid.U, .dt_of_pressure = 2 * dt / 3};
   const BaseFlow base = base_flow(grid, parameters, k_x != 0 ? 3 : 2);
   const FlagOperator flag = flag_operator(dns::coupled_chord(grid), simulation.leading_edge,
                                           simulation.flag, base.forces, k_x, simulation.planes);

@@ -25,7 +25,7 @@ struct SmallFlow {
       : grid({.n_rho = 12, .n_theta = n_theta, .R = 3, .wall_spacing = 0.1}),
         k_x(its_k_x),
         U(its_U),
-        base(modes::global::base_flow(grid, {.Re = 200, .U = its_U, .tau = 0.01},
+        base(modes::global::base_flow(grid, {.Re = 200, .U = its_U, .dt_of_pressure = 0.01},
                                       its_k_x != 0 ? 3 : 2)) {}
   modes::global::FlagOperator flag(double K_B, double mu = 1) const {
     return modes::global::flag_operator(dns::coupled_chord(grid), dns::Edge::pinned,

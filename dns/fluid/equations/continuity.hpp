@@ -1,11 +1,12 @@
 /// The equation of continuity on a plane, for the fluxes through the faces:
 ///
-///   R = sum of area . (v + tau grad p) - tau area . grad p over the faces,
+///   R = sum of area . (v + dt' grad p) - dt' area . grad p over the faces,
 ///
-/// the first gradient taken at the cells and averaged to the faces, the second one at the faces:
-/// the difference of the two couples neighbouring cells, tau = dt' the length with which a step
-/// leaves it there (docs/theory/fluid.md). Through the flag passes what its own motion makes pass,
-/// through the outer boundary what the last two cells extrapolate to.
+/// the first gradient taken at the cells and averaged to the faces, the second one at the faces.
+/// The difference of the two couples neighbouring cells; dt' is FluidStep::dt_of_pressure(), the
+/// weight with which a step leaves it in the fluxes (docs/theory/fluid.md). The flux through the
+/// flag is that of its own motion, the flux through the outer boundary is extrapolated from the
+/// last two cells.
 ///
 /// Written once for any scalar: the projection of the simulation, the steady flow and the
 /// linearised operator evaluate these functions.
@@ -56,10 +57,10 @@ void outer_flux(const Metrics<Scalar>& metrics, int plane, const std::vector<Fie
   if (metrics.has_span) add(along_x, false);
 }
 
-/// Takes tau times the fluxes of grad p from those of the velocity, but at the flag, through which
-/// the pressure drives nothing.
+/// Subtracts dt' times the fluxes of grad p from those of the velocity, but not at the flag,
+/// through which the pressure drives no flux.
 template <class Scalar>
-void subtract_pressure_flux(int plane, double tau, const Field<Scalar>& p_across_rho,
+void subtract_pressure_flux(int plane, double dt_of_pressure, const Field<Scalar>& p_across_rho,
                             const Field<Scalar>& p_across_theta, Field<Scalar>& flux_rho,
                             Field<Scalar>& flux_theta) {
   const int n_rho = flux_rho.extent().n_rho, n_theta = flux_rho.extent().n_theta;
@@ -67,9 +68,9 @@ void subtract_pressure_flux(int plane, double tau, const Field<Scalar>& p_across
     Scalar *rho = flux_rho.row(plane, j), *theta = flux_theta.row(plane, j);
     const Scalar *p_rho = p_across_rho.row(plane, j), *p_theta = p_across_theta.row(plane, j);
     if (j > 0)
-      for (int i = 0; i < n_theta; ++i) rho[i] -= tau * p_rho[i];
+      for (int i = 0; i < n_theta; ++i) rho[i] -= dt_of_pressure * p_rho[i];
     if (j < n_rho)
-      for (int i = 0; i <= n_theta; ++i) theta[i] -= tau * p_theta[i];
+      for (int i = 0; i <= n_theta; ++i) theta[i] -= dt_of_pressure * p_theta[i];
   }
 }
 

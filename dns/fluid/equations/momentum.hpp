@@ -1,10 +1,11 @@
 /// The momentum equation (3.2) of one component f of the velocity on a plane, integrated over the
 /// cells:
 ///
-///   R = V [rate + (C . grad) f + grad p] - 1/Re (integral of lap f),     C = v - v_g,
+///   R = vol [rate + (C . grad) f + (grad p)_f] - 1/Re (integral of lap f),     C = v - v_g,
 ///
-/// V the cells' volumes, `rate` what the time derivative adds. The part along x of the friction's
-/// divergence, d/dx (V/Re df/dx), is left to whoever knows how the fields vary along x.
+/// vol the cells' volumes per unit of x, `rate` the time derivative, (grad p)_f the component of
+/// grad p along that of f. The part along x of the friction's divergence, d/dx (vol/Re df/dx), is
+/// left to the caller, who knows how the fields vary along x.
 ///
 /// Written once for any scalar: the step of the simulation, the steady flow and the linearised
 /// operator (complex steps) evaluate these functions.
@@ -25,18 +26,19 @@ namespace pennon::dns {
 template <class Scalar>
 struct OuterBoundary {
   const FaceMetrics<Scalar>& rho_faces;
-  double widening;  ///< of the lines theta = const from the last cells to the near ghosts
+  /// The ratio in which lines theta = const part from the last cells to the near ghosts.
+  double widening;
   const std::vector<bool>& is_inflow;  ///< of the outer faces, plane by plane
   std::array<double, 3> stream;        ///< by component; zero for a change of the velocity
 };
 
-/// The widening of cosh(rho + i theta) beyond the last cells.
+/// OuterBoundary::widening of the grid at rest, where y + i z goes as cosh(rho + i theta).
 inline double outer_widening(const OGrid& grid) {
   return std::exp(grid.rho_face_step(grid.n_rho()));
 }
 
 /// Fills the outer ghosts of a component f for convection, in whose boundary condition the velocity
-/// (v, w) in the plane takes part; f's rows within are as they shall be.
+/// (v, w) in the plane takes part. Precondition: f has its values at the cells.
 template <class Scalar>
 void extend_outward_for_convection(int plane, const OuterBoundary<Scalar>& boundary,
                                    const Field<Scalar>& v, const Field<Scalar>& w,
@@ -96,7 +98,7 @@ void pressure_gradient(const Metrics<Scalar>& metrics, int plane, std::size_t co
   }
 }
 
-/// The terms of R in a row of cells that are there whatever the caller solves for.
+/// The terms of R in a row of cells that every caller has. `laplacian`: the integral of lap f.
 template <class Scalar>
 struct MomentumRow {
   const Scalar *volume, *convected, *laplacian;

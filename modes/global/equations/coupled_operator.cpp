@@ -32,11 +32,11 @@ Eigen::SparseMatrix<Complex> matrix_of(const Triplets& entries, Eigen::Index siz
 Eigen::VectorXcd CoupledOperator::A(const Eigen::VectorXcd& q) const {
   const LinearFluid& f = fluid();
   const Eigen::Index n = flow().unknowns(), m = flag_nodes();
-  const Eigen::VectorXcd v = q.head(n), z = q.segment(n, m), e = q.tail(m);
+  const Eigen::VectorXcd q_v = q.head(n), zeta = q.segment(n, m), zeta_t = q.tail(m);
   Eigen::VectorXcd product(size());
-  product.head(n) = f.A_vv * v + f.D_z(z) + f.D_e(e);
-  product.segment(n, m) = e;
-  product.tail(m) = f.A_ev * v + (f.F_z - flag.stiffness) * z + f.F_e * e;
+  product.head(n) = f.A_vv * q_v + f.A_vz(zeta) + f.A_vt(zeta_t);
+  product.segment(n, m) = zeta_t;
+  product.tail(m) = f.A_tv * q_v + (f.F_z - flag.stiffness) * zeta + f.F_t * zeta_t;
   return product;
 }
 
@@ -52,11 +52,11 @@ Eigen::VectorXcd CoupledOperator::B(const Eigen::VectorXcd& q) const {
 Eigen::VectorXcd CoupledOperator::A_adjoint(const Eigen::VectorXcd& p) const {
   const LinearFluid& f = fluid();
   const Eigen::Index n = flow().unknowns(), m = flag_nodes();
-  const Eigen::VectorXcd v = p.head(n), z = p.segment(n, m), e = p.tail(m);
+  const Eigen::VectorXcd p_v = p.head(n), p_z = p.segment(n, m), p_t = p.tail(m);
   Eigen::VectorXcd product(size());
-  product.head(n) = f.A_vv.adjoint() * v + f.A_ev.adjoint() * e;
-  product.segment(n, m) = f.D_z_adjoint(v) + (f.F_z - flag.stiffness).adjoint() * e;
-  product.tail(m) = f.D_e_adjoint(v) + z + f.F_e.adjoint() * e;
+  product.head(n) = f.A_vv.adjoint() * p_v + f.A_tv.adjoint() * p_t;
+  product.segment(n, m) = f.A_vz_adjoint(p_v) + (f.F_z - flag.stiffness).adjoint() * p_t;
+  product.tail(m) = f.A_vt_adjoint(p_v) + p_z + f.F_t.adjoint() * p_t;
   return product;
 }
 
@@ -67,21 +67,21 @@ Eigen::VectorXcd CoupledOperator::B_adjoint(const Eigen::VectorXcd& p) const {
 
 SparsePencil CoupledOperator::assembled() const {
   const LinearFluid& f = fluid();
-  const Eigen::Index m = flag_nodes(), z = zeta(0), e = zeta_t(0);
-  const Eigen::MatrixXcd D_z = f.motion(0, 0, m), D_e = f.motion(1, 0, m) - D_z,
-                         F_z = f.F_z - flag.stiffness, one = Eigen::MatrixXcd::Identity(m, m),
+  const Eigen::Index m = flag_nodes(), z = zeta(0), t = zeta_t(0);
+  const Eigen::MatrixXcd A_vz = f.flag_forcing(0, 0, m), A_vt = f.flag_forcing(1, 0, m) - A_vz,
+                         A_tz = f.F_z - flag.stiffness, one = Eigen::MatrixXcd::Identity(m, m),
                          mass = flag.mass.cast<Complex>().asDiagonal();
   Triplets A, B;
   add(f.A_vv, 0, 0, A);
-  add(D_z, 0, z, A);
-  add(D_e, 0, e, A);
-  add(one, z, e, A);
-  add(f.A_ev, e, 0, A);
-  add(F_z, e, z, A);
-  add(f.F_e, e, e, A);
+  add(A_vz, 0, z, A);
+  add(A_vt, 0, t, A);
+  add(one, z, t, A);
+  add(f.A_tv, t, 0, A);
+  add(A_tz, t, z, A);
+  add(f.F_t, t, t, A);
   add(f.B_vv, 0, 0, B);
   add(one, z, z, B);
-  add(mass, e, e, B);
+  add(mass, t, t, B);
   return {matrix_of(A, size()), matrix_of(B, size())};
 }
 

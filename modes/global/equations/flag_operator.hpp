@@ -19,22 +19,25 @@
 
 namespace pennon::modes::global {
 
-/// Mass and stiffness of the nodes that are not held, from the leading edge; per unit span.
+/// M and K for the nodes of a station that are not held, n of them, from the leading edge. Both are
+/// per unit span, and so is the force.
 struct FlagOperator {
-  Eigen::VectorXd mass;
-  Eigen::MatrixXcd stiffness;  ///< Hermitian; real without a cross-flow
-  /// Where all nodes are in the equilibrium: x less that of the station, 0 without a span, and y.
+  Eigen::VectorXd mass;        ///< the diagonal of M, n numbers
+  Eigen::MatrixXcd stiffness;  ///< K, n x n and Hermitian; real without a cross-flow
+  /// The equilibrium positions of all nodes of a station, held ones included: x less that of the
+  /// station (0 without a span), and y.
   std::vector<std::array<double, 2>> nodes = {};
 };
 
-/// The flat flag at rest under the friction of the steady flow, dim x nodes. Throws SolverError
-/// where it does not carry it flat.
+/// The positions at which the flat flag is in equilibrium under the friction of the steady flow,
+/// dim x nodes. Throws SolverError where the friction does not hold the flag flat.
 template <int dim>
 dns::NodeVectors<dim> equilibrium(const dns::Flag<dim>&, const SegmentForces<double>& forces);
 
-/// `chord`: the nodes' y; the leading one is held. `forces`: of the steady flow on the segments.
-/// With k_x != 0 the flag has `stations` spanwise nodes in a wave, as the simulation has: its
-/// differences along the span are part of K. Throws as equilibrium() does.
+/// M and K of the flag whose nodes have these y (`chord`), the first of them held, under the forces
+/// of the steady flow on its segments. With k_x != 0, `stations` is the number of stations in one
+/// wave of the simulation, whose finite differences between stations K contains. Throws as
+/// equilibrium() does.
 FlagOperator flag_operator(const std::vector<double>& chord, dns::Edge leading_edge,
                            const dns::FlagMaterial&, const SegmentForces<double>& forces,
                            double k_x, int stations);

@@ -59,7 +59,7 @@ Eigen::SparseMatrix<double> matrix_of(InnerEquations& equations) {
          at_j < std::min(corners.rows(), j + corner_reach + 1); ++at_j)
       for (int at_i = std::max(0, i - corner_reach);
            at_i < std::min(corners.columns(), i + corner_reach + 1); ++at_i)
-        for (const int of : {MovingCorners::along_y, MovingCorners::along_z})
+        for (const int of : {MovingCorners::y_displacement, MovingCorners::z_displacement})
           if (!corners.is_void(of, at_i))
             entries.emplace_back(equations.index(of, at_j, at_i), corners.index(by, j, i),
                                  equations.derivative(of, at_j, at_i));
@@ -68,8 +68,8 @@ Eigen::SparseMatrix<double> matrix_of(InnerEquations& equations) {
       corner_period, [&](const Displacement<Complex>& step) { equations.evaluate(step); }, read);
   for (int j = 1; j < corners.rows(); ++j)
     for (const int i : {0, corners.columns() - 1})
-      entries.emplace_back(equations.index(MovingCorners::along_y, j, i),
-                           corners.index(MovingCorners::along_y, j, i), 1);
+      entries.emplace_back(equations.index(MovingCorners::y_displacement, j, i),
+                           corners.index(MovingCorners::y_displacement, j, i), 1);
   Eigen::SparseMatrix<double> matrix(equations.unknowns(), corners.unknowns());
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;

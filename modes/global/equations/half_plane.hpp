@@ -1,8 +1,8 @@
 /// The unknowns of a flow that is symmetric about the plane of the flag, or antisymmetric: those of
 /// the upper cells, theta < pi.
 ///
-/// About a flat flag the steady flow is symmetric: v, u and p even in z, w odd. Linear disturbances
-/// of it part into two families that know nothing of each other: symmetric ones, in which the flag
+/// About a flat flag the steady flow is symmetric: v, u and p even in z, w odd. Its linear
+/// disturbances are the sum of two families that are not coupled: symmetric ones, in which the flag
 /// can only stretch, and antisymmetric ones (v, u and p odd, w even), in which it bends and
 /// flutters. Only half of the unknowns are needed for either.
 #pragma once
@@ -34,8 +34,9 @@ class HalfPlane {
     return (Eigen::Index{j} * columns() + i) * fields() + field;
   }
 
-  /// The column below the flag that goes with one above, and the sign of a field there.
+  /// The column below the flag that is the mirror image of column i above it.
   int mirror(int i) const { return n_theta_ - 1 - i; }
+  /// The factor, 1 or -1, that takes a field's value above the flag to that of its mirror image.
   double sign_below(int field) const {
     return (static_cast<std::size_t>(field) == dns::along_z) ==
                    (symmetry_ == Symmetry::antisymmetric)
@@ -43,6 +44,7 @@ class HalfPlane {
                : -1;
   }
 
+  /// Writes the fields of the whole plane, without ghosts, from unknowns() numbers.
   template <class Scalar>
   void unpack(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& unknowns,
               PlaneFlow<Scalar>& q) const {
@@ -52,7 +54,7 @@ class HalfPlane {
       row[mirror(i)] = sign_below(f) * unknowns[k];
     });
   }
-  /// Of the upper cells.
+  /// The unknowns() numbers of a flow: its fields in the upper cells.
   template <class Scalar>
   Eigen::Matrix<Scalar, Eigen::Dynamic, 1> pack(const PlaneFlow<Scalar>& q) const {
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> unknowns(this->unknowns());

@@ -72,7 +72,7 @@ class Assembly {
       for (Eigen::SparseMatrix<double>::InnerIterator entry(J.force, q); entry; ++entry)
         add_force(entry.row(), q, entry.value(), force);
     const Eigen::Index n = result_.flow.unknowns();
-    result_.A_ev = matrix_of(force, result_.flag_nodes, n);
+    result_.A_tv = matrix_of(force, result_.flag_nodes, n);
     const Field<Complex>& volume = equations_.metrics().volume;
     result_.flow.for_each([&](int f, int j, int i, Eigen::Index k) {
       if (f < base_.components()) volumes.emplace_back(k, k, volume.row(0, j)[i]);
@@ -133,7 +133,7 @@ class Assembly {
           [&](const Displacement<Complex>& step) { equations_.set_grid(still_, &step); },
           [&](int direction, int j, int i) { read(direction, j, i, ik, -ik * ik, flow, force); });
     equations_.set_grid(still_, nullptr);
-    keep(flow, force, result_.D_d, result_.F_z);
+    keep(flow, force, result_.A_vd, result_.F_z);
   }
 
   void add_velocity() {
@@ -143,7 +143,7 @@ class Assembly {
                     read(direction, j, i, 1, {0, -k_x_}, flow, force);
                   });
     equations_.set_grid_velocity(still_);
-    keep(flow, force, result_.D_t, result_.F_e);
+    keep(flow, force, result_.A_vg, result_.F_t);
   }
 
   void keep(const Triplets& flow, const Triplets& force, LinearFluid::SparseRows& D,
@@ -169,25 +169,26 @@ Eigen::VectorXcd LinearFluid::corners(const Eigen::VectorXcd& zeta) const {
   return product;
 }
 
-Eigen::VectorXcd LinearFluid::D_z(const Eigen::VectorXcd& zeta) const {
-  return D_d * corners(zeta);
+Eigen::VectorXcd LinearFluid::A_vz(const Eigen::VectorXcd& zeta) const {
+  return A_vd * corners(zeta);
 }
 
-Eigen::VectorXcd LinearFluid::D_e(const Eigen::VectorXcd& eta) const {
-  return D_t * corners(eta);
+Eigen::VectorXcd LinearFluid::A_vt(const Eigen::VectorXcd& zeta_t) const {
+  return A_vg * corners(zeta_t);
 }
 
-Eigen::VectorXcd LinearFluid::D_z_adjoint(const Eigen::VectorXcd& p) const {
-  return transpose_times(G, D_d.adjoint() * p);
+Eigen::VectorXcd LinearFluid::A_vz_adjoint(const Eigen::VectorXcd& p) const {
+  return transpose_times(G, A_vd.adjoint() * p);
 }
 
-Eigen::VectorXcd LinearFluid::D_e_adjoint(const Eigen::VectorXcd& p) const {
-  return transpose_times(G, D_t.adjoint() * p);
+Eigen::VectorXcd LinearFluid::A_vt_adjoint(const Eigen::VectorXcd& p) const {
+  return transpose_times(G, A_vg.adjoint() * p);
 }
 
-Eigen::MatrixXcd LinearFluid::motion(Complex lambda, Eigen::Index first, Eigen::Index count) const {
+Eigen::MatrixXcd LinearFluid::flag_forcing(Complex lambda, Eigen::Index first,
+                                           Eigen::Index count) const {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const SparseRows D = D_d + lambda * D_t;
+  const SparseRows D = A_vd + lambda * A_vg;
   const Rows columns = G.middleCols(first, count);
   const Eigen::SparseMatrix<double, Eigen::RowMajor> real = D.real(), imag = D.imag();
   Eigen::MatrixXcd product(D.rows(), count);

@@ -1,4 +1,5 @@
-/// A q = lambda B q, known by its products with vectors.
+/// The matrices of a generalised eigenproblem A q = lambda B q, by their products with vectors. The
+/// adjoint functions multiply with the conjugate transpose.
 #pragma once
 
 #include <Eigen/SparseCore>

@@ -76,14 +76,15 @@ void PlaneEquations<Scalar>::momentum(std::size_t c, PlaneFlow<Scalar>& q,
   dns::wall_friction_of<Scalar>(metrics_, 0, nu, f, nullptr, friction_[c].data());
 }
 
-// R of the pressure; gradient_ becomes v + tau grad p.
+// R of the pressure; gradient_ becomes v + dt' grad p.
 template <class Scalar>
 void PlaneEquations<Scalar>::continuity(const PlaneFlow<Scalar>& q, Field<Scalar>& R) {
-  const double tau = parameters_.tau;
+  const double dt_of_pressure = parameters_.dt_of_pressure;
   for (std::size_t c = 0; c < q.u.size(); ++c) {
     for (int j = 0; j < extent_.n_rho; ++j)
       for (int i = 0; i < extent_.n_theta; ++i)
-        gradient_[c].row(0, j)[i] = q.u[c].row(0, j)[i] + tau * gradient_[c].row(0, j)[i];
+        gradient_[c].row(0, j)[i] =
+            q.u[c].row(0, j)[i] + dt_of_pressure * gradient_[c].row(0, j)[i];
     gradient_[c].wrap_theta(0, 0, extent_.n_rho);
   }
   dns::velocity_flux(metrics_, 0, has_span() ? &gradient_[along_x] : nullptr, gradient_[along_y],
@@ -91,7 +92,8 @@ void PlaneEquations<Scalar>::continuity(const PlaneFlow<Scalar>& q, Field<Scalar
   dns::wall_flux(metrics_, 0, wall_velocity_, flux_rho_.row(0, 0));
   dns::outer_flux(metrics_, 0, gradient_, flux_rho_.row(0, extent_.n_rho));
   dns::gradient_flux<Scalar>(metrics_, 0, q.p, nullptr, across_rho_, across_theta_);
-  dns::subtract_pressure_flux(0, tau, across_rho_, across_theta_, flux_rho_, flux_theta_);
+  dns::subtract_pressure_flux(0, dt_of_pressure, across_rho_, across_theta_, flux_rho_,
+                              flux_theta_);
   std::ranges::fill(R.values(), Scalar(0));
   dns::add_divergence(0, flux_rho_, flux_theta_, R);
 }

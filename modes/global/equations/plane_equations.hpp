@@ -1,18 +1,21 @@
 /// The equations of the simulation (dns/fluid/fluid.hpp) in one plane x = const, continuous in
 /// time, by the same functions (dns/fluid/equations):
 ///
-///   V dv/dt + R_v - dX_v/dx = 0,     R_p - dX_p/dx = 0,
+///   vol dv/dt + R_v - dX_v/dx = 0,     R_p - dX_p/dx = 0,
 ///
-///   R_v = V [(C . grad) v + grad p] - 1/Re (integral of lap v),   C = v - v_g,
-///   R_p = sum of the fluxes area . (v + tau grad p) - tau area . grad p out of the cell,
-///   X_v = V/Re dv/dx,   X_p = -V u,
+///   R_v = vol [(C . grad) v + grad p] - 1/Re (integral of lap v),   C = v - v_g,
+///   R_p = sum of the fluxes area . (v + dt' grad p) - dt' area . grad p out of the cell,
+///   X_v = vol/Re dv/dx,   X_p = -vol u,
 ///
-/// V the cells' volumes, tau = 2/3 dt the length with which the steps of the simulation leave the
-/// pressure in the fluxes. docs/theory/global-modes.md derives that a state at which a step changes
-/// nothing satisfies these equations, and that what grows or decays does so up to dt^2.
+/// vol the cells' volumes per unit of x, v the velocity vector and u its component along x, dt' =
+/// 2/3 dt the weight with which the steps of the simulation leave the pressure's gradient in the
+/// fluxes (FluidStep::dt_of_pressure()). docs/theory/global-modes.md derives that a state at which
+/// a step changes nothing satisfies these equations, and that a disturbance of it grows in the
+/// simulation as they say up to O(dt^2).
 ///
-/// Derivatives by x come in as those of the fields, q_xi. Terms of second order in them are left
-/// out: the equations are linearised about what does not depend on x.
+/// How the flow varies along x is given by the derivatives of its fields, q_xi. Products of two
+/// such derivatives are left out, since the equations are linearised about a flow that does not
+/// depend on x.
 ///
 /// Templated on the scalar, for complex steps. Scales: L, V, rho_f.
 #pragma once
@@ -37,8 +40,8 @@ using dns::OGrid;
 
 struct PlaneParameters {
   double Re = 1000;
-  double U = 0;    ///< cross-flow, over V
-  double tau = 0;  ///< 2/3 of the simulation's time step
+  double U = 0;               ///< cross-flow, over V
+  double dt_of_pressure = 0;  ///< dt', 2/3 of the simulation's time step, in L/V
   dns::Upwinding upwinding = dns::upwinding::kawamura_kuwahara;
 };
 
@@ -75,21 +78,22 @@ class PlaneEquations {
   const Extent& extent() const { return extent_; }
   const dns::Metrics<Scalar>& metrics() const { return metrics_; }
 
-  /// Of the corners. `slope`: the displacement's derivative by x, null for none.
+  /// Sets the displacement of the grid's corners; `slope` is its derivative by x, null for none.
   void set_grid(const Displacement<Scalar>& displacement, const Displacement<Scalar>* slope);
-  /// The corners' velocity; the wall moves with its own.
+  /// Sets the velocity of the corners, v_g; the wall moves with the corners on it.
   void set_grid_velocity(const Displacement<Scalar>& velocity);
-  /// Of the n_theta outer faces.
+  /// Sets whether fluid enters through each of the n_theta outer faces.
   void set_inflow(std::vector<bool> is_inflow) { is_inflow_ = std::move(is_inflow); }
 
-  /// R and, if asked for, X; writes the ghosts of q. `q_xi` null: nothing depends on x.
+  /// Finds R and, unless it is null, X at the flow q, whose ghosts it fills. `q_xi`: the derivative
+  /// of q by x; null: nothing depends on x.
   void evaluate(PlaneFlow<Scalar>& q, const PlaneFlow<Scalar>* q_xi, PlaneFlow<Scalar>& R,
                 PlaneFlow<Scalar>* X);
 
-  /// Of the last evaluation. The pressure acts by the difference of the two sides on the upper
-  /// face's area, as the simulation's coupling has it.
+  /// The forces at the flow of the last evaluation. As in the simulation's coupling, the pressure
+  /// below less that above acts on the area of the upper face.
   const SegmentForces<Scalar>& forces() const { return forces_; }
-  /// Through the outer faces; fluid enters where they are negative.
+  /// The n_theta fluxes through the outer faces, negative where fluid enters.
   const Scalar* outer_flux() const { return flux_rho_.row(0, extent_.n_rho); }
 
  private:
@@ -111,7 +115,7 @@ class PlaneEquations {
   std::vector<Scalar> outer_pressure_, wall_pressure_;
   Field<Scalar> C_s_, C_t_, convected_, laplacian_, flux_rho_, flux_theta_, across_rho_,
       across_theta_;
-  std::vector<Field<Scalar>> gradient_;        // of the pressure, then v + tau grad p
+  std::vector<Field<Scalar>> gradient_;        // of the pressure, then v + dt' grad p
   std::vector<std::vector<Scalar>> friction_;  // of the wall's faces, by component
   SegmentForces<Scalar> forces_;
 };

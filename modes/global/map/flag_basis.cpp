@@ -21,7 +21,7 @@ FlagBasis::FlagBasis(const Eigen::VectorXd& mass, const std::vector<Eigen::Vecto
     all.col(static_cast<Index>(i)) = root.cwiseProduct(shapes[i]).normalized();
   const auto [U, sigma, V] = thin_svd(all);
   const Index kept = (sigma.array() > tolerance * sigma[0]).count();
-  V_ = root.cwiseInverse().asDiagonal() * U.leftCols(kept);
+  Z_ = root.cwiseInverse().asDiagonal() * U.leftCols(kept);
 }
 
 void FlagBasis::add(const Eigen::VectorXcd& shape) {
@@ -32,10 +32,10 @@ void FlagBasis::add(const Eigen::VectorXcd& shape) {
   Eigen::VectorXcd rest = shape / size(shape);
   // Twice, for rounding.
   for (int time = 0; time < 2; ++time)
-    rest -= V_ * (V_.adjoint() * mass_.cwiseProduct(rest)).eval();
+    rest -= Z_ * (Z_.adjoint() * mass_.cwiseProduct(rest)).eval();
   if (size(rest) < least_share) return;
-  V_.conservativeResize(Eigen::NoChange, V_.cols() + 1);
-  V_.col(V_.cols() - 1) = rest / size(rest);
+  Z_.conservativeResize(Eigen::NoChange, Z_.cols() + 1);
+  Z_.col(Z_.cols() - 1) = rest / size(rest);
 }
 
 FlagOperator FlagBasis::reduced(const FlagOperator& flag) const {

@@ -1,12 +1,13 @@
-/// A few shapes V of the flag in which its equations are solved by Galerkin's method,
+/// A few shapes of the flag, the columns of Z, in which its equations are solved by Galerkin's
+/// method,
 ///
-///   V^H [lambda^2 mu m + K - F(lambda)] V a = 0,     zeta = V a,     V^H m V = 1.
+///   Z^H [lambda^2 mu m + K - F(lambda)] Z a = 0,     zeta = Z a,     Z^H m Z = 1.
 ///
 /// K and the samples of F are projected once; what is left has the size of the basis. Let
 /// S(lambda) zeta = 0 and psi^H S(lambda) = 0 for a mode and its adjoint of the whole flag, and let
-/// V a and V b be their best approximations in the basis. Then
+/// Z a and Z b be their best approximations in the basis. Then
 ///
-///   b^H V^H S V a = (V b - psi)^H S (V a - zeta),
+///   b^H Z^H S Z a = (Z b - psi)^H S (Z a - zeta),
 ///
 /// so the error of the eigenvalue is the product of the errors of mode and adjoint, and the basis
 /// should hold both.
@@ -30,19 +31,19 @@ class FlagBasis {
   /// Adds the part of the shape that is orthogonal to the basis; nothing where that is rounding.
   void add(const Eigen::VectorXcd& shape);
 
-  Eigen::Index size() const { return V_.cols(); }
+  Eigen::Index size() const { return Z_.cols(); }
   /// Whether the basis spans all shapes of the flag, so that nothing can be added.
-  bool is_whole() const { return V_.cols() == V_.rows(); }
+  bool is_whole() const { return Z_.cols() == Z_.rows(); }
 
   FlagOperator reduced(const FlagOperator&) const;
-  Eigen::MatrixXcd reduced(const Eigen::MatrixXcd& F) const { return V_.adjoint() * F * V_; }
-  RationalFit reduced(const RationalFit& F) const { return F.projected(V_); }
-  /// V a. `a` may be shorter than the basis: it then is of the basis before shapes were added.
-  Eigen::VectorXcd shape(const Eigen::VectorXcd& a) const { return V_.leftCols(a.size()) * a; }
+  Eigen::MatrixXcd reduced(const Eigen::MatrixXcd& F) const { return Z_.adjoint() * F * Z_; }
+  RationalFit reduced(const RationalFit& F) const { return F.projected(Z_); }
+  /// Z a. `a` may be shorter than the basis: it then is of the basis before shapes were added.
+  Eigen::VectorXcd shape(const Eigen::VectorXcd& a) const { return Z_.leftCols(a.size()) * a; }
 
  private:
   Eigen::VectorXd mass_;
-  Eigen::MatrixXcd V_;
+  Eigen::MatrixXcd Z_;
 };
 
 }  // namespace pennon::modes::global

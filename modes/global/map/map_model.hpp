@@ -2,7 +2,7 @@
 /// shapes, and the columns that were found with both.
 ///
 /// A mode of the map has its shape in the basis, a, and is then called small; the shape of the
-/// whole flag is zeta = V a (flag_basis.hpp).
+/// whole flag is zeta = Z a (flag_basis.hpp).
 #pragma once
 
 #include <complex>

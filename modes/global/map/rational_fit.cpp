@@ -160,15 +160,15 @@ Eigen::VectorXcd RationalFit::derivative(Complex lambda, const Eigen::VectorXcd&
   return slope.reshaped(rows_, x.size()) * x;
 }
 
-RationalFit RationalFit::projected(const Eigen::MatrixXcd& V) const {
+RationalFit RationalFit::projected(const Eigen::MatrixXcd& basis) const {
   RationalFit small;
   small.lambda_ = lambda_;
   small.weights_ = weights_;
   small.error_ = error_;
-  small.rows_ = V.cols();
-  small.F_.resize(V.cols() * V.cols(), F_.cols());
+  small.rows_ = basis.cols();
+  small.F_.resize(basis.cols() * basis.cols(), F_.cols());
   for (Index j = 0; j < F_.cols(); ++j) {
-    const Eigen::MatrixXcd F = V.adjoint() * F_.col(j).reshaped(rows_, V.rows()) * V;
+    const Eigen::MatrixXcd F = basis.adjoint() * F_.col(j).reshaped(rows_, basis.rows()) * basis;
     small.F_.col(j) = F.reshaped();
   }
   return small;

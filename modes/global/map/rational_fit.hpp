@@ -31,8 +31,8 @@ class RationalFit {
   /// r'(lambda) x.
   Eigen::VectorXcd derivative(std::complex<double> lambda, const Eigen::VectorXcd& x) const;
 
-  /// V^H r(lambda) V, with the same support points and weights.
-  RationalFit projected(const Eigen::MatrixXcd& V) const;
+  /// basis^H r(lambda) basis, with the same support points and weights.
+  RationalFit projected(const Eigen::MatrixXcd& basis) const;
 
   std::size_t support_points() const { return static_cast<std::size_t>(lambda_.size()); }
   /// The error at the samples, measured as `tolerance` is. It says nothing about other lambda.

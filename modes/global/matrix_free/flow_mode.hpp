@@ -8,8 +8,8 @@
 
 namespace pennon::modes::global {
 
-/// The pair scaled so that the largest displacement of the flag is 1, or left as it is if the flag
-/// rests.
+/// The mode of the pair, scaled so that the largest displacement of the flag is 1, or as it is if
+/// the flag does not move in it.
 dns::FlowMode flow_mode(const BaseFlow&, const FlagOperator&, const CoupledOperator&,
                         const Eigenpair&, double k_x);
 

@@ -1,4 +1,4 @@
-/// Eigenvalues of a linear map that is known by what it does to a vector, by ARPACK's implicitly
+/// Eigenpairs of a linear map that is given as a function of a vector, by ARPACK's implicitly
 /// restarted Arnoldi method with reverse communication (Lehoucq, Sorensen & Yang 1998).
 #pragma once
 
@@ -13,7 +13,7 @@ namespace pennon::modes {
 using LinearMap = std::function<void(const double* in, double* out)>;
 
 struct MapEigenpair {
-  std::complex<double> value;  ///< imaginary part >= 0: that of a pair that is not below the axis
+  std::complex<double> value;  ///< imaginary part >= 0; its conjugate is left out
   Eigen::VectorXcd vector;     ///< of norm 1
   double residual = 0;         ///< |map(vector) - value vector|/|value|, computed anew
 };
@@ -25,8 +25,8 @@ struct MapSettings {
   int most_restarts = 100;
 };
 
-/// Those of largest modulus, in its order. `start`: the vector to begin with. Throws SolverError
-/// where fewer than `count` converge.
+/// The eigenpairs of largest modulus, by decreasing modulus. `start`: the vector to begin with.
+/// Throws SolverError where fewer than `count` converge.
 std::vector<MapEigenpair> largest_eigenpairs(const LinearMap&, const Eigen::VectorXd& start,
                                              const MapSettings&);
 

@@ -102,7 +102,7 @@ class Parts {
 
 template <int dim, class State, class Use>
 void for_each_part(State& state, const Use& use) {
-  visit(state, Parts<dim, Use>(state.jump.rows(), use));
+  visit(state, Parts<dim, Use>(state.reduced_jump.rows(), use));
 }
 
 // use(number) for each number of a part, in order.
@@ -138,7 +138,7 @@ template <int dim>
 Propagator<dim>::Propagator(Coupling<dim>& coupling, CoupledState<dim> base,
                             const PropagatorSettings& settings)
     : coupling_(coupling), base_(std::move(base)), settings_(settings) {
-  assert(base_.previous_jump.size() > 0);
+  assert(base_.previous_reduced_jump.size() > 0);
   const Eigen::VectorXd whole = packed(base_);
   size_ = whole.size();
   Eigen::VectorXd sinuous = whole;
@@ -191,7 +191,7 @@ void Propagator<dim>::propagate(const double* in, double* out, int steps) {
 template <int dim>
 Eigen::VectorXd Propagator<dim>::thrown_flag() const {
   CoupledState<dim> thrown = base_;
-  const Eigen::Index stations = base_.jump.rows(), nodes = base_.flag.x.cols() / stations;
+  const Eigen::Index stations = base_.reduced_jump.rows(), nodes = base_.flag.x.cols() / stations;
   for (Eigen::Index m = 0; m < stations; ++m)
     for (Eigen::Index j = 0; j < nodes; ++j) {
       const double y = static_cast<double>(j) / static_cast<double>(nodes - 1);

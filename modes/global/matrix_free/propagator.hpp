@@ -1,11 +1,12 @@
-/// The linearised simulation over a time: what becomes of a small sinuous perturbation of a flat
-/// flag in its symmetric flow, by running the simulation itself. Matrix-free: the eigenvalues of
-/// this map are exp(lambda T) of the global modes, with the errors of the time step in them.
+/// The propagator of the simulation over a time T: what becomes of a small sinuous perturbation of
+/// a flat flag in its symmetric flow, found by running the simulation itself. The eigenvalues of
+/// this linear map are exp(lambda T) of the global modes, but for the errors of the time step.
 ///
 /// A perturbation is sinuous if the reflection z -> -z turns it into its opposite: zeta and w stay,
-/// v and p change their sign. Of the state after the time the sinuous part is taken; the symmetric
-/// part, and with it whatever the base flow itself still changes by, drops out, so that the map is
-/// linear up to the square of the perturbation:
+/// v and p change their sign. Of the state after the time T the sinuous part is taken. The
+/// symmetric part drops out, and with it whatever the base flow itself still changes by, so that
+/// the map is linear up to the square of the perturbation. With S_T the state to which the
+/// simulation takes a state in the time T,
 ///
 ///   Phi q = sinuous part of S_T(base + a q)/a,       a = amplitude/max |q|.
 ///
@@ -39,10 +40,12 @@ class Propagator {
 
   /// out = Phi in. Throws SolverError as Coupling::advance() does.
   void apply(const double* in, double* out) { propagate(in, out, settings_.steps); }
-  /// The same over one step: tells eigenvalues apart that agree but for whole turns.
+  /// The same over one step. It tells eigenvalues lambda apart whose frequencies differ by a
+  /// multiple of 2 pi/T.
   void apply_one_step(const double* in, double* out) { propagate(in, out, 1); }
 
-  /// A flag thrown upward, more the nearer to the trailing edge: a vector to begin with.
+  /// A perturbation to begin with: the flag has an upward velocity that grows as y^2 along the
+  /// chord.
   Eigen::VectorXd thrown_flag() const;
 
  private:

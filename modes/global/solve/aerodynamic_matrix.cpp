@@ -27,9 +27,9 @@ Eigen::MatrixXcd AerodynamicMatrix::at(Complex lambda) try {
   X_.resize(f.flow.unknowns(), f.flag_nodes);
   for (Eigen::Index first = 0; first < f.flag_nodes; first += columns_in_turn) {
     const Eigen::Index count = std::min(columns_in_turn, f.flag_nodes - first);
-    X_.middleCols(first, count) = factors_->solve(-f.motion(lambda, first, count));
+    X_.middleCols(first, count) = factors_->solve(-f.flag_forcing(lambda, first, count));
   }
-  return f.A_ev * X_ + f.F_z + lambda * f.F_e;
+  return f.A_tv * X_ + f.F_z + lambda * f.F_t;
 } catch (const SolverError& fault) {
   throw SolverError(
       fmt::format("the flow's response at lambda = {:.6g} {:+.6g} i could not be found: {}",
@@ -38,8 +38,8 @@ Eigen::MatrixXcd AerodynamicMatrix::at(Complex lambda) try {
 
 Eigen::VectorXcd AerodynamicMatrix::derivative(const Eigen::VectorXcd& zeta) {
   const LinearFluid& f = *fluid_;
-  const Eigen::VectorXcd flow = X_ * zeta, right = f.B_vv * flow - f.D_e(zeta);
-  return f.A_ev * factors_->solve(right) + f.F_e * zeta;
+  const Eigen::VectorXcd flow = X_ * zeta, right = f.B_vv * flow - f.A_vt(zeta);
+  return f.A_tv * factors_->solve(right) + f.F_t * zeta;
 }
 
 Eigen::VectorXcd AerodynamicMatrix::mode(const Eigen::VectorXcd& zeta) const {

@@ -1,13 +1,14 @@
-/// The response of the fluid to the flag: the aerodynamic matrix F(lambda; Re, k_x), from the
-/// motion zeta exp(i k_x x + lambda t) of the flag's nodes to the force on them. With it the
-/// coupled equations A q = lambda B q (coupled_operator.hpp) become those of the flag alone,
+/// The response of the fluid to the flag: the aerodynamic matrix F(lambda; Re, k_x). It takes the
+/// motion zeta exp(i k_x x + lambda t) of the flag's free nodes to the force on them along z. With
+/// it the coupled equations A q = lambda B q (coupled_operator.hpp) become those of the flag alone,
 ///
-///   [lambda^2 M + K - F(lambda)] zeta = 0,     M = mu m,
+///   [lambda^2 M + K - F(lambda)] zeta = 0,     M = mu m.
 ///
-/// without approximation: the flow's unknowns are eliminated (linear_fluid.hpp),
+/// This is no approximation: the flow's unknowns q_v are eliminated. By their rows
+/// (linear_fluid.hpp)
 ///
-///   v(lambda) zeta = X zeta,     X = -(A_vv - lambda B_vv)^-1 (D_z + lambda D_e),
-///   F(lambda) = A_ev X + F_z + lambda F_e.
+///   q_v = X zeta,     X = -(A_vv - lambda B_vv)^-1 (A_vz + lambda A_vt),
+///   F(lambda) = A_tv X + F_z + lambda F_t.
 ///
 /// F depends on the steady flow, the grid and k_x, but not on mu, K_B and nu_s.
 #pragma once
@@ -23,8 +24,9 @@ namespace pennon::modes::global {
 
 class AerodynamicMatrix {
  public:
-  /// `factors` may be shared: at() factors anew, and all that follows it uses these factors until
-  /// someone else factors another matrix.
+  /// at() computes the factors of A_vv - lambda B_vv in `factors`, and the functions below it use
+  /// them. Others may share `factors`; once one of them has factored another matrix there, at() has
+  /// to be called again before these functions.
   AerodynamicMatrix(std::shared_ptr<const LinearFluid>, std::shared_ptr<SparseFactors> factors);
 
   Eigen::Index flag_nodes() const { return fluid_->flag_nodes; }
@@ -35,13 +37,13 @@ class AerodynamicMatrix {
 
   // The following are at the lambda of the last at().
 
-  /// F'(lambda) zeta, by one more solution: (A_vv - lambda B_vv) v' = B_vv v - D_e zeta.
+  /// dF/dlambda zeta, by one more solution: with q_v = X zeta, its derivative by lambda satisfies
+  /// (A_vv - lambda B_vv) dq_v/dlambda = B_vv q_v - A_vt zeta.
   Eigen::VectorXcd derivative(const Eigen::VectorXcd& zeta);
-  /// The mode (v, p; zeta; lambda zeta) of the coupled operator that goes with a motion of the
-  /// flag.
+  /// The vector (q_v; zeta; lambda zeta) of the coupled operator for the shape zeta of a mode.
   Eigen::VectorXcd mode(const Eigen::VectorXcd& zeta) const;
-  /// X, and the factors of A_vv - lambda B_vv.
-  const Eigen::MatrixXcd& flow() const { return X_; }
+  /// X, unknowns of the flow x free nodes, and the factors of A_vv - lambda B_vv.
+  const Eigen::MatrixXcd& flow_response() const { return X_; }
   const SparseFactors& factors() const { return *factors_; }
 
  private:

@@ -1,4 +1,5 @@
 /// The interface of an eigensolver as the studies of global modes use it, whichever solver it is.
+/// The one that the program takes is in slepc/krylov_schur.hpp.
 #pragma once
 
 #include <complex>
@@ -9,7 +10,8 @@
 
 namespace pennon::modes::global {
 
-/// A few eigenpairs of A q = lambda B q next to a target, normalised.
+/// The n_modes eigenpairs of A q = lambda B q nearest to a target, of which those that do not
+/// converge are left out; normalised (normalise()), and with adjoints where they are asked for.
 using EigenSolver = std::function<Spectrum(const CoupledOperator&, std::complex<double> target,
                                            int n_modes, bool with_adjoints)>;
 

@@ -24,7 +24,7 @@ Eigen::VectorXcd ShiftedSparse::solve_adjoint(const Eigen::VectorXcd& c) const {
 ShiftedCoupled::ShiftedCoupled(const CoupledOperator& coupled, Complex target,
                                std::shared_ptr<SparseFactors> factors)
     : coupled_(coupled), target_(target), response_(coupled.shared_fluid(), std::move(factors)) {
-  by_velocity_ = coupled.fluid().F_e;
+  by_velocity_ = coupled.fluid().F_t;
   by_velocity_.diagonal() -= target * coupled.flag.mass;
   Eigen::MatrixXcd S = response_.at(target) - coupled.flag.stiffness;
   S.diagonal() -= target * target * coupled.flag.mass;
@@ -36,22 +36,22 @@ Eigen::VectorXcd ShiftedCoupled::solve(const Eigen::VectorXcd& b) const {
   const LinearFluid& f = coupled_.fluid();
   const Eigen::Index n = f.flow.unknowns(), m = f.flag_nodes;
   const Eigen::VectorXcd b_z = b.segment(n, m);
-  const Eigen::VectorXcd w = response_.factors().solve(b.head(n) - f.D_e(b_z));
-  const Eigen::VectorXcd zeta = complement_.solve(b.tail(m) - f.A_ev * w - by_velocity_ * b_z);
+  const Eigen::VectorXcd w = response_.factors().solve(b.head(n) - f.A_vt(b_z));
+  const Eigen::VectorXcd zeta = complement_.solve(b.tail(m) - f.A_tv * w - by_velocity_ * b_z);
   Eigen::VectorXcd q(b.size());
-  q << w + response_.flow() * zeta, zeta, target_ * zeta + b_z;
+  q << w + response_.flow_response() * zeta, zeta, target_ * zeta + b_z;
   return q;
 }
 
 Eigen::VectorXcd ShiftedCoupled::solve_adjoint(const Eigen::VectorXcd& c) const {
   const LinearFluid& f = coupled_.fluid();
   const Eigen::Index n = f.flow.unknowns(), m = f.flag_nodes;
-  const Eigen::VectorXcd c_v = c.head(n), c_e = c.tail(m);
-  const Eigen::VectorXcd p_e = adjoint_complement_.solve(
-      c.segment(n, m) + std::conj(target_) * c_e + response_.flow().adjoint() * c_v);
-  const Eigen::VectorXcd p_v = response_.factors().solve_adjoint(c_v - f.A_ev.adjoint() * p_e);
+  const Eigen::VectorXcd c_v = c.head(n), c_t = c.tail(m);
+  const Eigen::VectorXcd p_t = adjoint_complement_.solve(
+      c.segment(n, m) + std::conj(target_) * c_t + response_.flow_response().adjoint() * c_v);
+  const Eigen::VectorXcd p_v = response_.factors().solve_adjoint(c_v - f.A_tv.adjoint() * p_t);
   Eigen::VectorXcd p(c.size());
-  p << p_v, c_e - f.D_e_adjoint(p_v) - by_velocity_.adjoint() * p_e, p_e;
+  p << p_v, c_t - f.A_vt_adjoint(p_v) - by_velocity_.adjoint() * p_t, p_t;
   return p;
 }
 

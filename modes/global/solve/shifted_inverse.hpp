@@ -40,14 +40,15 @@ class ShiftedSparse final : public ShiftedInverse {
 ///
 ///   S = F(target) - K - target^2 M                              (aerodynamic_matrix.hpp).
 ///
-/// Let b = (b_v, b_z, b_e) and V = A_vv - target B_vv. The middle row gives eta = target zeta +
-/// b_z, and with w = V^-1 (b_v - D_e b_z)
+/// Let b = (b_v, b_z, b_t) be the right side and L = A_vv - target B_vv. The middle row gives
+/// zeta_t = target zeta + b_z, and with w = L^-1 (b_v - A_vt b_z)
 ///
-///   S zeta = b_e - A_ev w - (F_e - target M) b_z,     v = w + X zeta,
+///   S zeta = b_t - A_tv w - (F_t - target M) b_z,     q_v = w + X zeta,
 ///
-/// so that one solution with V is needed. The adjoint is solved likewise, p_z from the last column.
-/// Near an eigenvalue S is nearly singular, and the other modes have larger errors than by factors
-/// of the whole matrix: ten times larger at a distance of 1e-5, hardly larger at 0.3.
+/// so that one solution with L is needed. The adjoint is solved likewise, p_z from the last column.
+/// With the target near an eigenvalue S is nearly singular, and the other modes are found with
+/// larger errors than by factors of the whole matrix: ten times larger at a distance of 1e-5,
+/// hardly larger at 0.3.
 class ShiftedCoupled final : public ShiftedInverse {
  public:
   /// Throws SolverError where the target is an eigenvalue of the flow past the flag at rest.
@@ -62,7 +63,7 @@ class ShiftedCoupled final : public ShiftedInverse {
   const CoupledOperator& coupled_;
   std::complex<double> target_;
   AerodynamicMatrix response_;
-  Eigen::MatrixXcd by_velocity_;  // F_e - target M
+  Eigen::MatrixXcd by_velocity_;  // F_t - target M
   Eigen::PartialPivLU<Eigen::MatrixXcd> complement_, adjoint_complement_;
 };
 

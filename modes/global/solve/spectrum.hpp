@@ -19,7 +19,7 @@ struct Eigenpair {
 
 struct Spectrum {
   std::vector<Eigenpair> pairs;  ///< converged; the most unstable first
-  int requested = 0;
+  int requested = 0;  ///< pairs that were asked for: n_modes of each target that was given
 };
 
 /// Eigenpair::residual, computed from A and B.
@@ -38,12 +38,14 @@ double biorthogonality_defect(const Pencil&, const std::vector<Eigenpair>&);
 /// p^H B q = 1 makes the adjoints of damped modes large, for these are nearly orthogonal to their
 /// modes: sqrt(p^H B p) is 22 for a flag's first mode and 2e4 for its sixth. The Krylov method
 /// leaves an error of 1e-12 of such a p, mostly along the adjoint next to the target, and that is
-/// not small beside 1. The residuals tell what each mode and each adjoint holds of the others;
-/// among pairs with |p| |B q| < 1e4 that is removed, and the eigenvalues are corrected, to first
-/// order. Gram and Schmidt's method for two sets of vectors, by increasing |p|, removes the rest.
+/// not small beside 1. From the residuals follow, to first order, the components of each mode and
+/// each adjoint along the others; among pairs with |p| |B q| < 1e4 these are removed, and the
+/// eigenvalues are corrected. Gram and Schmidt's method for two sets of vectors, by increasing |p|,
+/// removes the rest.
 void biorthogonalise(const Pencil&, std::vector<Eigenpair>&);
 
-/// Makes p, an adjoint with the pair's eigenvalue, that of the pair, and computes its residual.
+/// Gives the pair the adjoint p, a vector that belongs to the same eigenvalue, and computes the
+/// adjoint's residual.
 void set_adjoint(const Pencil&, Eigen::VectorXcd p, Eigenpair&);
 
 /// Whether two computed eigenvalues are the same but for their accuracy.

@@ -15,9 +15,9 @@
 ///
 ///   d lambda = p_f^* c zeta_t dy,
 ///
-/// where p_f is the adjoint of the flag's equation of motion, so |p_f| |zeta_t| (in 1/L) is the
-/// flag's part of the wavemaker. The derivatives of lambda by mass, damping and stiffness that are
-/// added to a piece of the flag follow from the same product.
+/// where p_f is the part of p in the rows of the flag's equation of motion, so |p_f| |zeta_t| (in
+/// 1/L) is the flag's part of the wavemaker. The derivatives of lambda by mass, damping and
+/// stiffness that are added to a piece of the flag follow from the same product.
 ///
 /// The pencil describes half of the plane. With p^H B q = 1 over the whole plane the velocities of
 /// p are half of those of the pencil's adjoint; a feedback at a cell and at its mirror image

@@ -70,7 +70,7 @@ class FieldsFile {
                         {"U", flow.U},
                         {"k_x", result.k_x},
                         {"n_x", static_cast<double>(result.n_x)},
-                        {"tau", flow.tau}});
+                        {"tau", flow.dt_of_pressure}});
     write_grid();
     write_spectrum();
     write_base();

@@ -36,7 +36,7 @@ Linearisations::Linearisations(const FlagParameters& flag, const FlowParameters&
       material_(dns::material_of(flag, 1)),
       flow_(plane_parameters(flow, settings)),
       k_x_(*settings.k_x),
-      spanwise_nodes_(static_cast<int>(settings.n_x)),
+      stations_(static_cast<int>(settings.n_x)),
       factors_(std::move(factors)) {}
 
 void Linearisations::move_to(double value) {
@@ -64,7 +64,7 @@ void Linearisations::move_to(double value) {
 
 FlagOperator Linearisations::flag_at(double value) {
   move_to(value);
-  return flag_operator(chord_, edge_, material_, base_->forces, k_x_, spanwise_nodes_);
+  return flag_operator(chord_, edge_, material_, base_->forces, k_x_, stations_);
 }
 
 Linearisation Linearisations::at(double value) {

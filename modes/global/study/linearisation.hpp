@@ -54,7 +54,7 @@ class Linearisations {
   dns::FlagMaterial material_;
   PlaneParameters flow_;
   double k_x_;
-  int spanwise_nodes_;
+  int stations_;  // in one wave
   std::shared_ptr<SparseFactors> factors_;
   std::optional<BaseFlow> base_;
   // That of the last value; none where the parameter has changed it since.

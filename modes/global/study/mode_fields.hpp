@@ -4,10 +4,11 @@
 /// = G zeta: regular everywhere, but they depend on how the grid follows the flag. At fixed points
 /// the disturbance is, to first order,
 ///
-///   v' = v - (d . grad) V,
+///   v' = v - (d . grad) v_0,
 ///
-/// V the steady flow; the same of the pressure and of the vorticity. It does not depend on the
-/// grid, but v' is singular at the trailing edge as dV/dz is, as r^-1/2. Both are given.
+/// v_0 the velocity of the steady flow; the same of the pressure and of the vorticity. It does not
+/// depend on the grid, but at the trailing edge v' is singular as dv_0/dz is, as r^-1/2. Both are
+/// given.
 ///
 /// Scales: L, V, rho_f. The node of the flag that moves most has the displacement 1.
 #pragma once

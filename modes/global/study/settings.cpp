@@ -36,7 +36,7 @@ void declare(Schema& schema, Settings& settings) {
       .key({"n_theta", &settings.n_theta, "cells around the flag, an even number", cell_count,
             false, "dns.n_theta"})
       .key({"n_x", &settings.n_x,
-            "spanwise nodes of the flag in one wave: its differences along the span are those of a "
+            "stations of the flag along one wave: its differences along the span are those of a "
             "simulation with so many",
             Range{3, 1e5}, false, "dns.n_x"})
       .key({"R", &settings.R, "radius of the outer boundary, in L", Range{1, 1e4}, false, "dns.R"})

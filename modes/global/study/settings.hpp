@@ -19,7 +19,8 @@ struct Settings {
   /// Growth rate and angular frequency of each target in turn; empty: see study.hpp.
   std::vector<double> target;
   std::optional<double> k_x;
-  std::int64_t n_rho = 0, n_theta = 0, n_x = 0;  ///< 0: not given
+  /// n_x: stations of the flag in one wave. 0: not given.
+  std::int64_t n_rho = 0, n_theta = 0, n_x = 0;
   std::optional<double> R, wall_spacing, wake_clustering, dt;
   std::optional<dns::Convection> convection;
   bool adjoint = false;
@@ -44,8 +45,8 @@ struct Discretisation {
 /// With every number: k_x is 2 pi/gamma without a value, and 0 in two dimensions.
 Settings resolve(Settings, const FlagParameters&, const Discretisation&);
 
-/// Everything that pennon-global has to know, as a case file of its own: with bound variables, so a
-/// problem does not move.
+/// Everything that pennon-global has to know, which is written as a case file of its own. `schema`
+/// refers to the other members, so a Problem can be neither copied nor moved.
 struct Problem {
   FlagParameters flag;
   FlowParameters flow;

@@ -66,7 +66,7 @@ std::vector<Complex> targets_of(const std::vector<double>& pairs) {
 PlaneParameters plane_parameters(const FlowParameters& flow, const Settings& settings) {
   return {.Re = flow.Re,
           .U = flow.U,
-          .tau = 2 * *settings.dt / 3,
+          .dt_of_pressure = 2 * *settings.dt / 3,
           .upwinding = dns::upwinding_of(*settings.convection)};
 }
 

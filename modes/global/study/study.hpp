@@ -34,7 +34,7 @@ struct FoundModes {
   BaseFlowSummary base_flow = {};
   std::vector<double> chord = {};  ///< y of the flag's nodes
   Eigen::Index unknowns = 0;
-  int requested = 0, converged = 0;
+  int requested = 0, converged = 0;  ///< pairs asked for (Spectrum::requested) and found
   std::optional<double> biorthogonality_defect = {};
   std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
@@ -45,7 +45,7 @@ struct Result {
   FlagParameters flag;
   BaseFlow base;
   double k_x = 0;
-  int n_x = 0;                                    ///< spanwise nodes of the flag in a wave
+  int n_x = 0;                                    ///< stations of the flag in one wave
   std::vector<std::array<double, 2>> nodes = {};  ///< in its equilibrium, as FlagOperator has them
   FoundModes found = {};
   FieldsOfModes fields = {};  ///< of the modes found

@@ -26,7 +26,7 @@ ShapeFunction ridge(double height) {
   };
 }
 
-// The lengths between the stations of a chordwise rank, across the seam too.
+// The lengths between the stations at the chordwise index j, across the seam too.
 Eigen::ArrayXd lengths(const FlagMesh& mesh, const NodeVectors<3>& x, int j) {
   Eigen::ArrayXd found(mesh.stations());
   for (int m = 0; m < mesh.stations(); ++m) {

@@ -35,7 +35,7 @@ double added_mass(const FluidCase& settings, double k_x) {
     return {0, acceleration * t * t / 2 * std::cos(k_x * x)};
   });
   for (int n = 0; n < steps; ++n) run.step(step);
-  return -station_force(run.fluid(), run.traction(), 0)[2] / acceleration;
+  return -plane_force(run.fluid(), run.traction(), 0)[2] / acceleration;
 }
 
 // A plunging plate carries pi/4 of fluid per span, and more by the layer that friction has set in

@@ -23,7 +23,7 @@ test::FluidCase small_case(double Re) {
 }
 
 PlaneParameters parameters_of(const test::FluidCase& simulation) {
-  return {.Re = simulation.parameters.Re, .U = 0, .tau = 2 * time_step / 3};
+  return {.Re = simulation.parameters.Re, .U = 0, .dt_of_pressure = 2 * time_step / 3};
 }
 
 TEST(GlobalBaseFlow, IsTheStateAtWhichAStepOfTheSimulationChangesNothing) {
@@ -45,8 +45,8 @@ TEST(GlobalBaseFlow, IsTheStateAtWhichAStepOfTheSimulationChangesNothing) {
 
 TEST(GlobalBaseFlow, KnowsTheStepOfTheSimulation) {
   const dns::OGrid grid(small_case(100).grid);
-  const BaseFlow with = base_flow(grid, {.Re = 100, .tau = 2 * time_step / 3}, 2);
-  const BaseFlow without = base_flow(grid, {.Re = 100, .tau = 2e-3 * time_step}, 2);
+  const BaseFlow with = base_flow(grid, {.Re = 100, .dt_of_pressure = 2 * time_step / 3}, 2);
+  const BaseFlow without = base_flow(grid, {.Re = 100, .dt_of_pressure = 2e-3 * time_step}, 2);
   EXPECT_GT(std::abs(with.drag_coefficient - without.drag_coefficient), 1e-6);
 }
 
@@ -54,7 +54,7 @@ TEST(GlobalBaseFlow, IsFoundAtReynoldsNumbersFrom10To10000) {
   const dns::OGrid grid(small_case(10).grid);
   double last_drag = 10;
   for (const double Re : {10.0, 1000.0, 10000.0}) {
-    const BaseFlow base = base_flow(grid, {.Re = Re, .tau = 0.001}, 2);
+    const BaseFlow base = base_flow(grid, {.Re = Re, .dt_of_pressure = 0.001}, 2);
     EXPECT_LT(base.residual, 1e-8) << Re;
     EXPECT_LT(base.drag_coefficient, last_drag) << Re;
     EXPECT_NEAR(base.tension.front(), base.drag_coefficient / 2, 1e-12);
@@ -65,8 +65,8 @@ TEST(GlobalBaseFlow, IsFoundAtReynoldsNumbersFrom10To10000) {
 
 TEST(GlobalBaseFlow, DoesNotKnowOfACrossFlow) {
   const dns::OGrid grid(small_case(100).grid);
-  const BaseFlow without = base_flow(grid, {.Re = 100, .tau = 0.01}, 2);
-  const BaseFlow with = base_flow(grid, {.Re = 100, .U = 1, .tau = 0.01}, 3);
+  const BaseFlow without = base_flow(grid, {.Re = 100, .dt_of_pressure = 0.01}, 2);
+  const BaseFlow with = base_flow(grid, {.Re = 100, .U = 1, .dt_of_pressure = 0.01}, 3);
   EXPECT_NEAR(with.drag_coefficient, without.drag_coefficient, 1e-11);
 }
 

@@ -11,7 +11,7 @@
 #include "common/petsc/petsc.hpp"
 #include "dns/fluid/equations/wall_faces.hpp"
 #include "modes/global/equations/coupled_operator.hpp"
-#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/krylov_schur.hpp"
 #include "modes/global/solve/slepc/mumps_factors.hpp"
 
 namespace pennon::modes::global {
@@ -52,7 +52,7 @@ Complex mode_in_still_fluid(double Re, double omega) {
   const dns::OGrid grid({.n_rho = 32, .n_theta = 64, .R = 8, .wall_spacing = 0.02});
   const Extent extent{1, grid.n_rho(), grid.n_theta()};
   const std::vector<double> none(static_cast<std::size_t>(grid.n_theta() / 2), 0.0);
-  const BaseFlow at_rest{{.Re = Re, .tau = 1e-3},
+  const BaseFlow at_rest{{.Re = Re, .dt_of_pressure = 1e-3},
                          PlaneFlow<double>(extent, 2),
                          std::vector<bool>(extent.wall_faces(), false),
                          {none, none, none},

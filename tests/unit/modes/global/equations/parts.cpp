@@ -38,7 +38,7 @@ Eigen::VectorXd random_vector(Eigen::Index n) {
 
 TEST(GlobalJacobian, IsTheDifferenceOfTheEquationsForEitherSymmetry) {
   const dns::OGrid grid(small_grid);
-  const PlaneParameters parameters{.Re = 50, .tau = 0.02};
+  const PlaneParameters parameters{.Re = 50, .dt_of_pressure = 0.02};
   const BaseFlow base = base_flow(grid, parameters, 2);
   for (const Symmetry symmetry : {Symmetry::symmetric, Symmetry::antisymmetric}) {
     const HalfPlane unknowns(base.q.p.extent(), 2, symmetry);
@@ -115,7 +115,8 @@ TEST(GlobalLinearFluid, KnowsWhatAMotionOfAllCornersAtOnceDoesToFlowAndForce) {
   for (const double k_x : {0.0, 2.0}) {
     const dns::OGrid grid({.n_rho = 22, .n_theta = 44, .R = 4, .wall_spacing = 0.03});
     const int components = k_x == 0 ? 2 : 3, nodes = grid.n_theta() / 2;
-    const BaseFlow base = base_flow(grid, {.Re = 150, .U = 0.3, .tau = 0.01}, components);
+    const BaseFlow base =
+        base_flow(grid, {.Re = 150, .U = 0.3, .dt_of_pressure = 0.01}, components);
     const LinearFluid fluid = linear_fluid(grid, base, nodes, k_x);
     MotionAtOnce motion{grid, base, fluid};
     motion.equations.set_inflow(base.is_inflow);
@@ -134,16 +135,16 @@ TEST(GlobalLinearFluid, KnowsWhatAMotionOfAllCornersAtOnceDoesToFlowAndForce) {
     motion.equations.set_grid(still, nullptr);
     motion.equations.set_grid_velocity(step);
     motion.add(1, -ik, by_velocity, force_by_velocity);
-    EXPECT_LT((fluid.D_z(zeta) - flow).norm(), 1e-11 * flow.norm());
-    EXPECT_LT((fluid.D_e(zeta) - by_velocity).norm(), 1e-11 * by_velocity.norm());
+    EXPECT_LT((fluid.A_vz(zeta) - flow).norm(), 1e-11 * flow.norm());
+    EXPECT_LT((fluid.A_vt(zeta) - by_velocity).norm(), 1e-11 * by_velocity.norm());
     EXPECT_LT((fluid.F_z * zeta - force).norm(), 1e-11 * force.norm());
-    EXPECT_LT((fluid.F_e * zeta - force_by_velocity).norm(), 1e-11 * force_by_velocity.norm());
+    EXPECT_LT((fluid.F_t * zeta - force_by_velocity).norm(), 1e-11 * force_by_velocity.norm());
     const Complex lambda(0.3, 2);
-    EXPECT_LT(
-        (fluid.motion(lambda, 3, 5).col(1) - (fluid.D_z(Eigen::VectorXcd::Unit(nodes, 4)) +
-                                              lambda * fluid.D_e(Eigen::VectorXcd::Unit(nodes, 4))))
-            .norm(),
-        1e-12 * flow.norm());
+    EXPECT_LT((fluid.flag_forcing(lambda, 3, 5).col(1) -
+               (fluid.A_vz(Eigen::VectorXcd::Unit(nodes, 4)) +
+                lambda * fluid.A_vt(Eigen::VectorXcd::Unit(nodes, 4))))
+                  .norm(),
+              1e-12 * flow.norm());
   }
 }
 
@@ -194,7 +195,7 @@ TEST(GlobalSensitivity, IsTheDerivativeOfTheEigenvalue) {
   const dns::OGrid grid(small_grid);
   const std::vector<double> chord = dns::coupled_chord(grid);
   constexpr double k_x = 2;
-  const BaseFlow base = base_flow(grid, {.Re = 100, .tau = 0.01}, 3);
+  const BaseFlow base = base_flow(grid, {.Re = 100, .dt_of_pressure = 0.01}, 3);
   const FlagOf flag_of = [&](const dns::FlagMaterial& material, double share) {
     SegmentForces<double> forces = base.forces;
     for (double& pull : forces.y) pull *= share;

@@ -77,12 +77,12 @@ TEST(GlobalRationalFit, InABasisIsTheProjectionOfItsValuesAndSlopes) {
   for (int i = 0; i < 8; ++i)
     samples.push_back({Complex(0, i), A / Complex(1, i) + B * Complex(0, i)});
   const RationalFit fit(samples, 1e-12);
-  const Eigen::MatrixXcd V = Eigen::MatrixXcd::Random(6, 3);
-  const RationalFit small = fit.projected(V);
+  const Eigen::MatrixXcd basis = Eigen::MatrixXcd::Random(6, 3);
+  const RationalFit small = fit.projected(basis);
   const Eigen::VectorXcd x = Eigen::VectorXcd::Random(3);
   for (const Complex s : {Complex(0, 3), Complex(0.4, 2.2)}) {
-    EXPECT_LT((small(s) - V.adjoint() * fit(s) * V).norm(), 1e-12 * fit(s).norm());
-    EXPECT_LT((small.derivative(s, x) - V.adjoint() * fit.derivative(s, V * x)).norm(),
+    EXPECT_LT((small(s) - basis.adjoint() * fit(s) * basis).norm(), 1e-12 * fit(s).norm());
+    EXPECT_LT((small.derivative(s, x) - basis.adjoint() * fit.derivative(s, basis * x)).norm(),
               1e-12 * fit(s).norm());
   }
 }

@@ -223,8 +223,8 @@ TEST(GlobalNeutralModes, AreWhereTheGrowthRateOfTheCoupledOperatorIsZero) {
 
 TEST(GlobalBaseFlow, FromAFlowNearbyIsThatFromTheUniformStream) {
   const dns::OGrid grid({.n_rho = 12, .n_theta = 24, .R = 3, .wall_spacing = 0.1});
-  const PlaneParameters here{.Re = 150, .U = 0.3, .tau = 0.01},
-      nearby{.Re = 200, .U = 0.3, .tau = 0.01};
+  const PlaneParameters here{.Re = 150, .U = 0.3, .dt_of_pressure = 0.01},
+      nearby{.Re = 200, .U = 0.3, .dt_of_pressure = 0.01};
   const BaseFlow far = base_flow(grid, here, 3);
   const BaseFlow near = base_flow(grid, here, 3, base_flow(grid, nearby, 2));
   EXPECT_LT(near.iterations, far.iterations);

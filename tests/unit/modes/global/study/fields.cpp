@@ -27,7 +27,7 @@ struct ModeOfGrid {
   ModeOfGrid(const dns::OGridSettings& settings, double wavenumber, bool with_adjoint)
       : grid(settings),
         k_x(wavenumber),
-        base(base_flow(grid, {.Re = 100, .tau = 0.01}, k_x != 0 ? 3 : 2)),
+        base(base_flow(grid, {.Re = 100, .dt_of_pressure = 0.01}, k_x != 0 ? 3 : 2)),
         flag(flag_operator(dns::coupled_chord(grid), dns::Edge::pinned, material, base.forces, k_x,
                            40)),
         coupled(coupled_operator(grid, base, flag, k_x)),
@@ -58,7 +58,8 @@ std::vector<Displacement<double>> responses(const dns::OGrid& grid) {
   return of_nodes;
 }
 
-// (d . grad) V of a cell, where d follows a node of the flag: what is carried along with the grid.
+// (d . grad) v_0 of a cell, v_0 the steady flow, where d follows a node of the flag: what is
+// carried along with the grid.
 class CarriedFlow {
  public:
   CarriedFlow(const dns::OGrid& grid, const BaseFlow& base)
@@ -99,7 +100,7 @@ struct CarriedVorticity {
     const dns::OGrid grid(
         {.n_rho = n_rho, .n_theta = n_theta, .R = 3, .wall_spacing = wall_spacing});
     const std::vector<double> chord = dns::coupled_chord(grid);
-    const BaseFlow base = base_flow(grid, {.Re = 100, .tau = 0.01}, 2);
+    const BaseFlow base = base_flow(grid, {.Re = 100, .dt_of_pressure = 0.01}, 2);
     const CoupledOperator coupled = coupled_operator(
         grid, base,
         flag_operator(chord, dns::Edge::pinned, ModeOfGrid::material, base.forces, 0, 1), 0);

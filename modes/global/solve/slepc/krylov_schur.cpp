@@ -1,4 +1,4 @@
-#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/krylov_schur.hpp"
 
 #include <slepceps.h>
 
@@ -135,11 +135,11 @@ SlepcSession::~SlepcSession() {
 }
 
 Spectrum eigenpairs_near(const Pencil& pencil, const ShiftedInverse& inverse, Complex target,
-                         int requested, bool with_adjoints) {
+                         int n_modes, bool with_adjoints) {
   const MapMatrix T(pencil.size(),
                     [&](const Eigen::VectorXcd& q) { return inverse.solve(pencil.B(q)); });
   std::vector<Eigenpair> pairs;
-  for_each_eigenpair(T, requested, [&](Complex theta, const Eigen::VectorXcd& q) {
+  for_each_eigenpair(T, n_modes, [&](Complex theta, const Eigen::VectorXcd& q) {
     // T q once more takes out what q has of the null space of B, which A makes large (Meerbergen &
     // Spence 1997).
     Eigenpair pair{.lambda = target + 1.0 / theta, .q = inverse.solve(pencil.B(q))};
@@ -149,22 +149,22 @@ Spectrum eigenpairs_near(const Pencil& pencil, const ShiftedInverse& inverse, Co
   if (with_adjoints && !pairs.empty()) find_adjoints(pencil, inverse, target, pairs);
   for (Eigenpair& pair : pairs) normalise(pencil, pair);
   Spectrum spectrum;
-  spectrum.requested = requested;
+  spectrum.requested = n_modes;
   merge(std::move(pairs), spectrum);
   return spectrum;
 }
 
-Spectrum coupled_eigenpairs_near(const CoupledOperator& coupled, Complex target, int requested,
+Spectrum coupled_eigenpairs_near(const CoupledOperator& coupled, Complex target, int n_modes,
                                  bool with_adjoints,
                                  const std::shared_ptr<SparseFactors>& factors) {
-  return eigenpairs_near(coupled, ShiftedCoupled(coupled, target, factors), target, requested,
+  return eigenpairs_near(coupled, ShiftedCoupled(coupled, target, factors), target, n_modes,
                          with_adjoints);
 }
 
 EigenSolver coupled_eigensolver(std::shared_ptr<SparseFactors> factors) {
-  return [factors = std::move(factors)](const CoupledOperator& coupled, Complex target,
-                                        int requested, bool with_adjoints) {
-    return coupled_eigenpairs_near(coupled, target, requested, with_adjoints, factors);
+  return [factors = std::move(factors)](const CoupledOperator& coupled, Complex target, int n_modes,
+                                        bool with_adjoints) {
+    return coupled_eigenpairs_near(coupled, target, n_modes, with_adjoints, factors);
   };
 }
 

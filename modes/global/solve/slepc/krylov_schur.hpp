@@ -21,15 +21,15 @@ class SlepcSession {
   SlepcSession& operator=(const SlepcSession&) = delete;
 };
 
-/// Those of the `requested` pairs nearest to the target that converged, each with its residual
-/// computed from A and B. `with_adjoints`, only pairs whose adjoint converged too; the adjoints are
-/// found by a second solution with the same factors, since SLEPc's two-sided solver can fail
-/// without reporting it.
-Spectrum eigenpairs_near(const Pencil&, const ShiftedInverse&, std::complex<double> target,
-                         int requested, bool with_adjoints);
+/// Those of the n_modes pairs nearest to the target that converged, normalised, each with its
+/// residual computed from A and B. Where adjoints are asked for, only pairs whose adjoint converged
+/// too; the adjoints are found by a second solution with the same factors, since SLEPc's two-sided
+/// solver can fail without reporting it. `inverse` is that of A - target B.
+Spectrum eigenpairs_near(const Pencil&, const ShiftedInverse& inverse, std::complex<double> target,
+                         int n_modes, bool with_adjoints);
 
 /// The same for the coupled operator, with these factors for the flow's block.
-Spectrum coupled_eigenpairs_near(const CoupledOperator&, std::complex<double> target, int requested,
+Spectrum coupled_eigenpairs_near(const CoupledOperator&, std::complex<double> target, int n_modes,
                                  bool with_adjoints, const std::shared_ptr<SparseFactors>&);
 
 /// The same as an EigenSolver; all its calls share the analysis of the factors.

@@ -7,7 +7,7 @@
 #include "common/petsc/petsc.hpp"
 #include "dns/fluid/equations/wall_faces.hpp"
 #include "modes/global/equations/coupled_operator.hpp"
-#include "modes/global/solve/slepc/eigensolver.hpp"
+#include "modes/global/solve/slepc/krylov_schur.hpp"
 #include "modes/global/solve/slepc/mumps_factors.hpp"
 #include "modes/global/study/study.hpp"
 
@@ -39,8 +39,8 @@ Matrix mass(int n) {
   return B;
 }
 
-Spectrum near(const SparsePencil& pencil, Complex target, int requested, bool with_adjoints) {
-  return eigenpairs_near(pencil, ShiftedSparse(pencil, target, mumps_factors()), target, requested,
+Spectrum near(const SparsePencil& pencil, Complex target, int n_modes, bool with_adjoints) {
+  return eigenpairs_near(pencil, ShiftedSparse(pencil, target, mumps_factors()), target, n_modes,
                          with_adjoints);
 }
 
@@ -81,7 +81,7 @@ class AdjointsOfTheFlag : public testing::TestWithParam<double> {
   static CoupledOperator small_flag() {
     start();
     const dns::OGrid grid({.n_rho = 16, .n_theta = 32, .R = 4, .wall_spacing = 0.05});
-    const BaseFlow base = base_flow(grid, {.Re = 300, .tau = 0.01}, 2);
+    const BaseFlow base = base_flow(grid, {.Re = 300, .dt_of_pressure = 0.01}, 2);
     return coupled_operator(grid, base,
                             flag_operator(dns::coupled_chord(grid), dns::Edge::pinned,
                                           {.mu = 0.3, .K_B = 1e-3}, base.forces, 0, 1),
@@ -227,7 +227,8 @@ TEST(GlobalShiftedInverse, OfTheCoupledOperatorSolvesWithTheWholeMatrix) {
   start();
   for (const double k_x : {0.0, 2.0}) {
     const dns::OGrid grid({.n_rho = 10, .n_theta = 20, .R = 3, .wall_spacing = 0.1});
-    const BaseFlow base = base_flow(grid, {.Re = 100, .U = 0.4, .tau = 0.01}, k_x == 0 ? 2 : 3);
+    const BaseFlow base =
+        base_flow(grid, {.Re = 100, .U = 0.4, .dt_of_pressure = 0.01}, k_x == 0 ? 2 : 3);
     const CoupledOperator coupled =
         coupled_operator(grid, base,
                          flag_operator(dns::coupled_chord(grid), dns::Edge::pinned,
