@@ -5,6 +5,7 @@
 #include "analysis/figures/of_run.hpp"
 #include "analysis/signal/run_report.hpp"
 #include "app/commands.hpp"
+#include "app/pictures.hpp"
 #include "app/result_folder.hpp"
 #include "app/run_of_case.hpp"
 #include "common/io/atomic_file.hpp"
@@ -60,7 +61,7 @@ void run_analyze(const AnalyzeOptions& options) {
   analysis::write_tables(found, folder);
   {
     const auto timer = record.time("pictures");
-    analysis::draw_run(found, folder.path());
+    draw_pictures([&] { analysis::draw_run(found, folder.path()); });
   }
   results.remove_older_files();
   record.write(folder / "record.json", 1);

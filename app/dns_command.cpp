@@ -5,6 +5,7 @@
 
 #include "analysis/figures/plot.hpp"
 #include "app/commands.hpp"
+#include "app/pictures.hpp"
 #include "common/errors.hpp"
 #include "common/parallel/ranks.hpp"
 #include "dns/run/flag_convergence.hpp"
@@ -57,9 +58,11 @@ Answer run_fluid(const Case& the_case, const dns::Beginning& beginning, const Ou
                           folder, !options.quiet && ranks::is_leading());
   }();
   const auto timer = record.time("pictures");
-  if (ranks::is_leading()) analysis::plot(folder / "history.h5");
-  if (ranks::is_leading() && std::filesystem::exists(folder / "shapes.h5"))
-    analysis::plot(folder / "shapes.h5");
+  if (ranks::is_leading())
+    draw_pictures([&] {
+      analysis::plot(folder / "history.h5");
+      if (std::filesystem::exists(folder / "shapes.h5")) analysis::plot(folder / "shapes.h5");
+    });
   return {{{"dns", to_json(result)}},
           fmt::format("{}: {}\n{}", the_case.name,
                       result.is_coupled ? "flag and flow together"
@@ -73,7 +76,7 @@ Answer run_convergence(const Case& the_case, const OutputFolder& folder, Record&
   const dns::Convergence found =
       dns::run_convergence(the_case.dns, the_case.flag, folder, !options.quiet);
   dns::write(found, folder);
-  analysis::plot(folder / "convergence.h5");
+  draw_pictures([&] { analysis::plot(folder / "convergence.h5"); });
   return {{{"convergence", to_json(found)}},
           fmt::format("{}: {}\n{}", the_case.name, title_of(found), text_of(found))};
 }
@@ -120,8 +123,10 @@ void run_dns(const Options& options, const RestartOptions& restart) {
                            !options.quiet);
     }();
     const auto timer = record.time("pictures");
-    if (!the_case.dns.flag.equilibrium) analysis::plot(folder / "history.h5");
-    if (std::filesystem::exists(folder / "shapes.h5")) analysis::plot(folder / "shapes.h5");
+    draw_pictures([&] {
+      if (!the_case.dns.flag.equilibrium) analysis::plot(folder / "history.h5");
+      if (std::filesystem::exists(folder / "shapes.h5")) analysis::plot(folder / "shapes.h5");
+    });
     return Answer{{{"dns", to_json(result)}},
                   fmt::format("{}: the flag by itself\n{}", the_case.name, text_of(result))};
   };

@@ -2,6 +2,7 @@
 
 #include "analysis/figures/plot.hpp"
 #include "app/commands.hpp"
+#include "app/pictures.hpp"
 #include "lsa/report.hpp"
 
 namespace pennon::app {
@@ -16,9 +17,11 @@ void run_lsa(const Options& options) {
       return found;
     }();
     const auto timer = record.time("pictures");
-    if (result.curve) analysis::plot(folder / "curve.h5");
-    if (result.map) analysis::plot(folder / "map.h5");
-    if (result.verdicts) analysis::plot(folder / "verdicts.h5");
+    draw_pictures([&] {
+      if (result.curve) analysis::plot(folder / "curve.h5");
+      if (result.map) analysis::plot(folder / "map.h5");
+      if (result.verdicts) analysis::plot(folder / "verdicts.h5");
+    });
     return Answer{{{"lsa", to_json(result)}},
                   fmt::format("{}: local stability\n{}", the_case.name, text_of(result))};
   };

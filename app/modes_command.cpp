@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/global_pictures.hpp"
 #include "app/global_process.hpp"
+#include "app/pictures.hpp"
 #include "modes/global/study/modes_report.hpp"
 #include "modes/normal/report.hpp"
 
@@ -20,7 +21,7 @@ Answer normal_modes(const Case& the_case, const OutputFolder& folder, Record& re
   }();
   const auto timer = record.time("output");
   write_tables(result, folder);
-  analysis::plot(folder / "modes.h5");
+  draw_pictures([&] { analysis::plot(folder / "modes.h5"); });
   Answer answer{{{"normal", to_json(result)}},
                 fmt::format("{}: normal modes, {}\n{}", the_case.name, name_of(result.modes.family),
                             text_of(result))};
@@ -34,7 +35,7 @@ Answer global_modes(const Case& the_case, const OutputFolder& folder) {
   const modes::global::Findings found = solve_global_modes(problem, folder);
   if (!found.spectrum.modes.empty()) {
     write_tables(found.spectrum, folder);
-    analysis::plot(folder / "global_modes.h5");
+    draw_pictures([&] { analysis::plot(folder / "global_modes.h5"); });
   }
   Answer answer{to_json(found.spectrum), text_of(found.spectrum)};
   if (found.neutral) {
@@ -42,7 +43,7 @@ Answer global_modes(const Case& the_case, const OutputFolder& folder) {
     if (!found.neutral->points.empty()) {
       const std::filesystem::path picture = folder / "global_neutral.h5";
       write_hdf5(*found.neutral, neutral_picture(the_case, *found.neutral), picture);
-      analysis::plot(picture);
+      draw_pictures([&] { analysis::plot(picture); });
     }
     answer.json.update(to_json(*found.neutral));
     answer.text += text_of(*found.neutral);
@@ -51,7 +52,7 @@ Answer global_modes(const Case& the_case, const OutputFolder& folder) {
     write_tables(*found.map, folder);
     const std::filesystem::path picture = folder / "global_map.h5";
     write_hdf5(*found.map, map_picture(the_case), picture);
-    analysis::plot(picture);
+    draw_pictures([&] { analysis::plot(picture); });
     answer.json["map"] = to_json(*found.map);
     answer.text += text_of(*found.map, the_case.global_modes.map.lambda_tolerance);
   }

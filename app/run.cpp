@@ -6,16 +6,20 @@
 #include <cstdio>
 #include <system_error>
 
+#include "app/pictures.hpp"
 #include "common/errors.hpp"
 #include "common/io/atomic_file.hpp"
 #include "common/parallel/ranks.hpp"
 #include "common/record/version.hpp"
+#include "common/utf8.hpp"
 
 namespace pennon::app {
 
 void print(const std::string& text) {
   errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+  const std::string shown = printable(text);
+  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size() ||
+      std::fflush(stdout) != 0)
     throw FileError("the answer cannot be written to standard output: " +
                     std::generic_category().message(errno));
 }
@@ -37,6 +41,11 @@ void run(const Command& command, const Options& options) {
     if (ranks::is_leading()) print(fmt::format("# {}\n{}", title, resolved));
     return;
   }
+  if (the_case.name.empty() || the_case.name.starts_with('.'))
+    throw InputError(options.case_file,
+                     "the name of a case, before its ending, begins with a letter or a number: it "
+                     "names the folder of the results");
+  if (ranks::is_leading()) warn_without_gnuplot();
   const ResultFolder folder(options.output.empty()
                                 ? std::filesystem::path("results") / the_case.name / command.name
                                 : std::filesystem::path(options.output),

@@ -30,7 +30,8 @@ double wall_seconds(const std::filesystem::path& folder) {
 
 analysis::RunContext context_of(const Case& the_case) {
   const dns::InitialSettings& initial = the_case.dns.initial;
-  return {.U = the_case.flow.U,
+  return {.mu = the_case.flag.mu,
+          .U = the_case.flow.U,
           .ramp = initial.ramp,
           .release = initial.release,
           .kick_end = initial.kick == 0 ? 0 : initial.release + initial.kick_duration};

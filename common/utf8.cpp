@@ -42,4 +42,22 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const auto first = static_cast<unsigned char>(text.front());
+    const std::size_t length = utf8_length(text);
+    constexpr unsigned char deleted = 0x7f, first_of_c1 = 0xc2, end_of_c1 = 0xa0;
+    const bool is_c1 =
+        length == 2 && first == first_of_c1 && static_cast<unsigned char>(text[1]) < end_of_c1;
+    const bool is_control = (first < ' ' && first != '\n' && first != '\t') || first == deleted;
+    if (length == 0 || is_control || is_c1)
+      shown += '?';
+    else
+      shown += text.substr(0, length);
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return shown;
+}
+
 }  // namespace pennon

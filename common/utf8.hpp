@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace pennon {
@@ -11,5 +12,9 @@ namespace pennon {
 std::size_t utf8_length(std::string_view text);
 
 bool is_utf8(std::string_view text);
+
+/// The text as a terminal may show it: what is not UTF-8 and control characters, but for the line
+/// feed and the tabulator, become "?", so that no text from a file can command the terminal.
+std::string printable(std::string_view text);
 
 }  // namespace pennon

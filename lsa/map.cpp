@@ -1,6 +1,6 @@
 #include "lsa/map.hpp"
-#include "common/stop_watch.hpp"
-#include "lsa/axis_attributes.hpp"
+
+#include <omp.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +13,9 @@
 #include "common/io/csv.hpp"
 #include "common/io/hdf5.hpp"
 #include "common/progress.hpp"
+#include "common/stop_watch.hpp"
 #include "lsa/added_mass.hpp"
+#include "lsa/axis_attributes.hpp"
 #include "lsa/batch.hpp"
 #include "lsa/outcome_points.hpp"
 #include "lsa/quantity.hpp"
@@ -132,10 +134,12 @@ std::int64_t write_fields(hdf5::Writer& file, const MapSettings& settings, const
                                            std::vector<double>(block * width));
   Progress progress("map", static_cast<std::int64_t>(height), shows_progress);
   std::int64_t unstable = 0;
+  // OMP_NUM_THREADS may ask for more than the system can start.
+  const int threads = std::min(omp_get_max_threads(), omp_get_num_procs());
   for (std::size_t first = 0; first < height; first += block) {
     stop_if_interrupted(interrupted);
     const std::size_t count = std::min(block, height - first);
-#pragma omp parallel reduction(+ : unstable)
+#pragma omp parallel num_threads(threads) reduction(+ : unstable)
     {
       const auto work = std::make_unique<Work>();
 #pragma omp for schedule(static)

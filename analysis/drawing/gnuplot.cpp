@@ -28,8 +28,13 @@ bool file_ends_with(const std::filesystem::path& file, std::string_view ending) 
 }  // namespace
 
 std::string quoted_text(std::string_view text) {
+  constexpr std::size_t longest = 400;  // bytes; a picture has no room for more
   std::string result = "'";
   while (!text.empty()) {
+    if (result.size() > longest) {
+      result += "...";
+      break;
+    }
     const auto first = static_cast<unsigned char>(text.front());
     const std::size_t length = utf8_length(text);
     if (length == 0 || first < 0x20 || first == 0x7f)

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <iterator>
+#include <numbers>
 
 #include "analysis/signal/spanwise_amplitudes.hpp"
 
@@ -90,7 +92,101 @@ void find_shedding(const RunHistory& run, const Settings& settings, LimitCycleRe
   result.cycle->f_v = frequency_of(periods);
 }
 
+// The mean square of a signal about its mean.
+double mean_square(const std::vector<double>& t, const std::vector<double>& values, double from,
+                   double to) {
+  const double mean = mean_of(Spline(t, values), from, to);
+  std::vector<double> squares;
+  for (const double value : values) squares.push_back((value - mean) * (value - mean));
+  return mean_of(Spline(t, squares), from, to);
+}
+
+// Where the trailing edge swings most in the last third of the run, in spans.
+double antinode_share_of(const RunHistory& run) {
+  const std::size_t stations = run.z.size();
+  if (stations == 1) return 0;
+  constexpr std::size_t fewest_places = 96;
+  const std::size_t places = stations * ((fewest_places + stations - 1) / stations);
+  const Rows rows = rows_between(run.t, begin_of_last(last_third, run.t), run.t.back());
+  std::vector<std::vector<double>> z;
+  for (const std::vector<double>& station : run.z)
+    z.emplace_back(station.begin() + static_cast<std::ptrdiff_t>(rows.begin),
+                   station.begin() + static_cast<std::ptrdiff_t>(rows.end));
+  double largest = -1, share = 0;
+  for (std::size_t k = 0; k < places; ++k) {
+    const double place = static_cast<double>(k) / static_cast<double>(places);
+    const double swing = half_range(between_stations(z, place), {0, z.front().size()});
+    constexpr double rounding = 1e-9;  // of waves that are as large everywhere the first station's
+    if (swing <= largest * (1 + rounding)) continue;
+    largest = swing;
+    share = place;
+  }
+  return share;
+}
+
+// The amplitude of a signal at a frequency, over a time that holds whole periods of it.
+double amplitude_at(double frequency, const std::vector<double>& t,
+                    const std::vector<double>& signal, double from, double to) {
+  constexpr std::size_t samples = 4096;
+  const std::vector<double> times = equal_times(from, to, samples + 1);
+  const std::vector<double> values = at_times(t, signal, times);
+  std::complex<double> sum = 0;
+  for (std::size_t k = 0; k < samples; ++k)
+    sum += values[k] * std::polar(1.0, -2 * std::numbers::pi * frequency * (times[k] - from));
+  return 2 * std::abs(sum) / static_cast<double>(samples);
+}
+
+// Whether neighbouring periods differ, told by the frequencies of the pairs of periods; a note, or
+// empty.
+std::string note_on_pairs(const RunHistory& run, const std::vector<double>& z,
+                          const LimitCycle& cycle) {
+  constexpr double felt = 0.05;
+  const double at_f = amplitude_at(cycle.f_s, run.t, z, cycle.from, cycle.to);
+  const double at_double = amplitude_at(2 * cycle.f_s, run.t, z, cycle.from, cycle.to);
+  if (at_double > at_f)
+    return fmt::format(
+        "limit cycle: the swing at 2 f_s is {:.2g} times that at f_s: two swings make "
+        "a period, and f_s is their subharmonic",
+        at_double / at_f);
+  const std::size_t pairs = cycle.periods.size() / 2;
+  if (pairs == 0) return {};
+  const double begin = cycle.periods[cycle.periods.size() - 2 * pairs].begin;
+  const double at_half = amplitude_at(cycle.f_s / 2, run.t, z, begin, cycle.to);
+  if (at_half <= felt * at_f) return {};
+  return fmt::format(
+      "limit cycle: every other period is another: the swing at f_s/2 is {:.2g} times "
+      "that at f_s",
+      at_half / at_f);
+}
+
 }  // namespace
+
+std::string why_rows_are_too_few(const RunHistory& run, double from, double to, double omega,
+                                 double mu) {
+  constexpr double fewest_rows_a_period = 8;
+  const Rows rows = rows_between(run.t, from, to);
+  const double period = 2 * std::numbers::pi / omega;
+  const double a_period = static_cast<double>(rows.end - rows.begin) * period / (to - from);
+  if (a_period < fewest_rows_a_period)
+    return fmt::format(
+        "the history has {:.2g} rows a period, and {} are needed; shorten "
+        "dns.output.history_interval",
+        a_period, fewest_rows_a_period);
+  if (mu == 0) return {};
+  double square = 0;
+  for (const std::vector<double>& z : run.z)
+    square += mean_square(run.t, z, from, to) / static_cast<double>(run.z.size());
+  const double kinetic = mean_of(Spline(run.t, run.column("flag_kinetic")), from, to);
+  const double accounted = mu * omega * omega * square / 2;
+  constexpr double most =
+      4;  // an alias with eight rows a period has an energy of 16 times and more
+  if (!(kinetic > most * accounted)) return {};
+  return fmt::format(
+      "the flag's kinetic energy is {:.2g} times what a swing with the frequency of "
+      "{:.3g} V/L accounts for: the rows are too few for the flapping, and this is "
+      "its alias; shorten dns.output.history_interval",
+      kinetic / accounted, omega / (2 * std::numbers::pi));
+}
 
 std::vector<Period> last_periods(const std::vector<double>& t, const std::vector<double>& signal,
                                  std::size_t most) {
@@ -137,11 +233,12 @@ const ProbeHistory* probe_of(const RunHistory& run, const Settings& settings) {
   return nearest == run.probes.end() ? nullptr : &*nearest;
 }
 
-LimitCycleResult find_limit_cycle(const RunHistory& run, const Settings& settings) {
+LimitCycleResult find_limit_cycle(const RunHistory& run, const Settings& settings, double mu) {
   LimitCycleResult result;
   LimitCycle cycle;
   cycle.antinode = antinode_of(run);
-  const std::vector<double>& z = run.z[cycle.antinode];
+  cycle.antinode_share = antinode_share_of(run);
+  const std::vector<double> z = between_stations(run.z, cycle.antinode_share);
   cycle.periods = last_periods(run.t, z, static_cast<std::size_t>(settings.periods));
   const double swing =
       half_range(z, rows_between(run.t, begin_of_last(last_third, run.t), run.t.back()));
@@ -155,6 +252,14 @@ LimitCycleResult find_limit_cycle(const RunHistory& run, const Settings& setting
   cycle.St = 2 * cycle.A_over_L * cycle.f_s;
   cycle.from = cycle.periods.front().begin;
   cycle.to = cycle.periods.back().begin + cycle.periods.back().length;
+  if (const std::string fault =
+          why_rows_are_too_few(run, cycle.from, cycle.to, 2 * std::numbers::pi * cycle.f_s, mu);
+      !fault.empty()) {
+    result.notes.push_back("limit cycle: " + fault);
+    return result;
+  }
+  if (std::string note = note_on_pairs(run, z, cycle); !note.empty())
+    result.notes.push_back(std::move(note));
   cycle.C_D_mean = mean_of(Spline(run.t, run.column("C_D")), cycle.from, cycle.to);
   const std::vector<double>& C_L = run.column("C_L");
   cycle.C_L_amp = half_range(C_L, rows_between(run.t, cycle.from, cycle.to));

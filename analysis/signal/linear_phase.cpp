@@ -47,10 +47,30 @@ double energy(const Exponential& e, double a, double b) {
   return std::norm(e.amplitude) * integral;
 }
 
-// The energy of the samples in the later half of their time.
-double energy_of_later_half(const Complexes& samples, double dt) {
+// Whether an exponential swings at least once in a time.
+bool swings_in(const Exponential& e, double length) {
+  return std::abs(e.lambda.imag()) * length >= fewest_periods * two_pi / 2;
+}
+
+// Whether it stands still in that time, in a signal from which a growth was taken out.
+bool is_offset(const Exponential& e, double growth, double length) {
+  constexpr double still = 0.5;
+  return std::abs(e.lambda + growth) * length < still;
+}
+
+// The energy in the later half of their time of the samples without their offset: a flag may hang
+// or be blown to one side.
+double energy_about_offset(const Complexes& samples, const std::vector<Exponential>& all,
+                           double growth, double dt) {
+  const double length = dt * static_cast<double>(samples.size() - 1);
   double sum = 0;
-  for (std::size_t k = samples.size() / 2; k < samples.size(); ++k) sum += std::norm(samples[k]);
+  for (std::size_t k = samples.size() / 2; k < samples.size(); ++k) {
+    std::complex<double> left = samples[k];
+    for (const Exponential& e : all)
+      if (is_offset(e, growth, length))
+        left -= e.amplitude * std::exp(e.lambda * (dt * static_cast<double>(k)));
+    sum += std::norm(left);
+  }
   return sum * dt;
 }
 
@@ -60,23 +80,25 @@ bool is_same_mode(const Exponential& e, const std::complex<double>& lambda) {
          agreement * std::abs(lambda);
 }
 
-std::optional<Leading> leading_of(const Complexes& samples, double dt, std::size_t most) {
+// `growth`: what was taken out of the samples.
+std::optional<Leading> leading_of(const Complexes& samples, double growth, double dt,
+                                  std::size_t most) {
   const double length = dt * static_cast<double>(samples.size() - 1);
   const std::vector<Exponential> all = fit_exponentials(samples, dt, most);
   double largest = 0;
   std::optional<Exponential> leading;
   for (const Exponential& e : all) {
     const double own = energy(e, length / 2, length);
-    const bool swings = std::abs(e.lambda.imag()) * length >= fewest_periods * two_pi / 2;
-    if (!std::isfinite(own) || !swings || own <= largest) continue;
+    if (!std::isfinite(own) || !swings_in(e, length) || own <= largest) continue;
     largest = own;
     leading = e;
   }
   if (!leading) return std::nullopt;
   Leading mode{leading->lambda};
+  const double of_all = energy_about_offset(samples, all, growth, dt);
   for (const Exponential& e : all) {
     if (!is_same_mode(e, leading->lambda)) continue;
-    mode.share += energy(e, length / 2, length) / energy_of_later_half(samples, dt);
+    mode.share += energy(e, length / 2, length) / of_all;
     mode.amplitude += std::abs(e.amplitude);
   }
   return mode;
@@ -95,11 +117,11 @@ std::optional<Leading> fit(const std::vector<double>& t, const Complexes& signal
   const std::size_t count = std::min(most_samples, rows.end - rows.begin);
   const Complexes samples = at_times(t, signal, equal_times(from, to, count));
   const double dt = (to - from) / static_cast<double>(count - 1);
-  std::optional<Leading> leading = leading_of(samples, dt, most);
+  std::optional<Leading> leading = leading_of(samples, 0, dt, most);
   if (!leading) return leading;
   // Once more, without the growth found: else the last e-folding alone would decide.
   const double sigma = leading->lambda.real();
-  leading = leading_of(without_growth(samples, sigma * dt), dt, most);
+  leading = leading_of(without_growth(samples, sigma * dt), sigma, dt, most);
   if (leading) leading->lambda += sigma;
   return leading;
 }
@@ -142,23 +164,53 @@ double end_of_fading(const std::vector<double>& t, const std::vector<double>& di
   return last == rows.end || last == rows.begin ? stretch[1] : t[last - 1];
 }
 
-std::vector<double> largest_displacement(const RunHistory& run) {
+// Of each station, between two times.
+std::vector<double> means_of(const RunHistory& run, double from, double to) {
+  const Rows rows = rows_between(run.t, from, to);
+  std::vector<double> means;
+  for (const std::vector<double>& station : run.z) {
+    double sum = 0;
+    for (std::size_t row = rows.begin; row < rows.end; ++row) sum += station[row];
+    means.push_back(sum / static_cast<double>(rows.end - rows.begin));
+  }
+  return means;
+}
+
+// Of all stations, from where each is taken to rest.
+std::vector<double> largest_displacement(const RunHistory& run, const std::vector<double>& rest) {
   std::vector<double> largest(run.t.size(), 0.0);
-  for (const std::vector<double>& station : run.z)
+  for (std::size_t m = 0; m < run.z.size(); ++m)
     for (std::size_t row = 0; row < largest.size(); ++row)
-      largest[row] = std::max(largest[row], std::abs(station[row]));
+      largest[row] = std::max(largest[row], std::abs(run.z[m][row] - rest[m]));
   return largest;
 }
 
-// The component with the most energy between two times.
+// Where the stations may rest: at z = 0; where they are at first, and at last, if they are
+// deflected there.
+std::vector<std::vector<double>> places_of_rest(const RunHistory& run, double start) {
+  std::vector<std::vector<double>> places = {std::vector<double>(run.z.size(), 0.0)};
+  const double end = run.t.back(), quarter = (end - start) / 4;
+  for (const double from : {start, end - quarter}) {
+    std::vector<double> means = means_of(run, from, from + quarter);
+    if (std::ranges::any_of(means, [](double mean) { return std::abs(mean) > at_rest; }))
+      places.push_back(std::move(means));
+  }
+  return places;
+}
+
+// The component that swings with the most energy between two times.
 std::size_t leading_wave(const std::vector<double>& t, const std::vector<Complexes>& components,
                          double from, double to) {
   const Rows rows = rows_between(t, from, to);
   std::size_t leading = 0;
   double most = -1;
   for (std::size_t n = 0; n < components.size(); ++n) {
+    std::complex<double> mean = 0;
     double sum = 0;
-    for (std::size_t row = rows.begin; row < rows.end; ++row) sum += std::norm(components[n][row]);
+    for (std::size_t row = rows.begin; row < rows.end; ++row)
+      mean += components[n][row] / static_cast<double>(rows.end - rows.begin);
+    for (std::size_t row = rows.begin; row < rows.end; ++row)
+      sum += std::norm(components[n][row] - mean);
     if (sum > most) {
       most = sum;
       leading = n;
@@ -256,7 +308,6 @@ LinearPhase find_linear_phase(const RunHistory& run, const std::vector<Complexes
   if (settings.from || settings.to)
     return in_given_window(run, components, settings.from.value_or(run.t.front()),
                            settings.to.value_or(run.t.back()));
-  const std::vector<double> displacement = largest_displacement(run);
   std::vector<std::array<double, 2>> stretches;
   std::vector<Candidate> candidates;
   const auto try_stretch = [&](const std::array<double, 2>& stretch) {
@@ -264,11 +315,14 @@ LinearPhase find_linear_phase(const RunHistory& run, const std::vector<Complexes
     stretches.push_back(stretch);
     add_candidates(run, components, stretch, candidates);
   };
-  for (const double limit : linear_amplitudes) {
-    const std::array<double, 2> stretch = longest_stretch(run.t, displacement, limit, start);
-    try_stretch(stretch);
-    for (const double share : faded)
-      try_stretch({stretch[0], end_of_fading(run.t, displacement, stretch, share)});
+  for (const std::vector<double>& rest : places_of_rest(run, start)) {
+    const std::vector<double> displacement = largest_displacement(run, rest);
+    for (const double limit : linear_amplitudes) {
+      const std::array<double, 2> stretch = longest_stretch(run.t, displacement, limit, start);
+      try_stretch(stretch);
+      for (const double share : faded)
+        try_stretch({stretch[0], end_of_fading(run.t, displacement, stretch, share)});
+    }
   }
   LinearPhase phase;
   const Candidate* best = best_of(candidates);

@@ -7,7 +7,8 @@
 /// to the first, middle and last two thirds of the window.
 ///
 /// Unless the user says it, the window is the longest over which these fits agree: candidates lie
-/// in the stretches in which the trailing edge stays within 0.06, 0.03 or 0.01 L.
+/// in the stretches in which the trailing edge stays within 0.06, 0.03 or 0.01 L of z = 0, or of
+/// its mean over the first or the last quarter of the run.
 #pragma once
 
 #include <optional>

@@ -45,7 +45,12 @@ RunAnalysis analyze_run(const std::filesystem::path& folder, const Settings& set
   found.components = spanwise_components(found.run.z);
   found.linear = find_linear_phase(found.run, found.components, settings,
                                    std::max(context.release, context.kick_end));
-  found.limit_cycle = find_limit_cycle(found.run, settings);
+  if (const auto& growth = found.linear.growth) {
+    const std::string fault =
+        why_rows_are_too_few(found.run, growth->from, growth->to, growth->omega, context.mu);
+    if (!fault.empty()) found.linear = {{}, found.linear.wave, "growth: " + fault};
+  }
+  found.limit_cycle = find_limit_cycle(found.run, settings, context.mu);
   if (found.limit_cycle.cycle)
     found.angles =
         find_angles(found.run, found.components, *found.limit_cycle.cycle, context.U, folder);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "analysis/signal/series.hpp"
 
@@ -34,6 +35,22 @@ std::vector<Complexes> spanwise_components(const std::vector<std::vector<double>
     }
   }
   return components;
+}
+
+std::vector<double> between_stations(const std::vector<std::vector<double>>& values, double share) {
+  const std::size_t stations = values.size(), rows = values.front().size();
+  const auto N = static_cast<double>(stations);
+  std::vector<double> found(rows, 0.0);
+  for (std::size_t m = 0; m < stations; ++m) {
+    // Dirichlet's kernel: 1 at its own station, 0 at the others.
+    const double half = std::numbers::pi * (share - static_cast<double>(m) / N);
+    const double below = stations % 2 == 0 ? std::tan(half) : std::sin(half);
+    constexpr double rounding = 1e-12;
+    const bool is_at_station = std::abs(std::sin(half)) < rounding;
+    const double weight = is_at_station ? 1 : std::sin(N * half) / (N * below);
+    for (std::size_t row = 0; row < rows; ++row) found[row] += weight * values[m][row];
+  }
+  return found;
 }
 
 std::vector<std::vector<double>> moduli(const std::vector<Complexes>& components) {

@@ -22,6 +22,10 @@ inline constexpr std::size_t highest_wave = 7;
 /// zeta_n for n = 0 ..., of values [station][row] at equally spaced stations: [n][row].
 std::vector<Complexes> spanwise_components(const std::vector<std::vector<double>>& values);
 
+/// The values at a place between stations, x = share S, by the Fourier series that the stations
+/// resolve: for each row, of values [station][row].
+std::vector<double> between_stations(const std::vector<std::vector<double>>& values, double share);
+
 /// |zeta_n|: [n][row].
 std::vector<std::vector<double>> moduli(const std::vector<Complexes>& components);
 

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace pennon {
 
 enum ExitCode : int { exit_done = 0, exit_other = 1, exit_bad_input = 2, exit_not_converged = 3 };
+
+/// Says a sentence on standard error, after the program's name; the leading rank alone.
+void say(const std::string& text);
 
 /// Calls `program` and returns its exit code; where it throws, says why on standard error and
 /// returns

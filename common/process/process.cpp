@@ -93,7 +93,8 @@ Descriptor scratch_with(std::string_view text, const std::string& program) {
 
 Descriptor created(const std::filesystem::path& path, const std::string& program) {
   constexpr mode_t everyones = 0666;  // less what the user's umask takes away
-  const int file = open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_CLOEXEC, everyones);
+  const int file =
+      open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, everyones);
   if (file < 0) fail(path.string() + " cannot be written", errno);
   return moved_up(file, program);
 }

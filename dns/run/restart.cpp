@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -131,7 +132,11 @@ Beginning beginning_at(const std::filesystem::path& checkpoint, const std::strin
     }
   }
   if (!faults.empty()) throw InputError(std::move(faults));
-  if (t >= t_end)
+  // A run that was stopped after its last step has its results to write yet.
+  constexpr double rounding = 1e-12;
+  const bool is_at_end = std::abs(t - t_end) <= rounding * t_end;
+  const bool was_ended = std::filesystem::exists(checkpoint.parent_path() / "summary.json");
+  if (is_at_end ? was_ended : t > t_end)
     throw InputError("dns.t_end",
                      fmt::format("= {} is reached already: {} is at t = {}; give a later dns.t_end "
                                  "to go on",

@@ -46,7 +46,8 @@ struct Beginning {
 
 /// The beginning of a run with the case `text` from the checkpoint. Throws InputError that names
 /// each key which may not have changed, with its value there and here; where the file is no
-/// checkpoint, or is at t_end already. `accepts_physics`: changes of the physics are meant.
+/// checkpoint, or is at t_end already although its run left a summary beside it.
+/// `accepts_physics`: changes of the physics are meant.
 Beginning beginning_at(const std::filesystem::path& checkpoint, const std::string& text,
                        double t_end, bool accepts_physics);
 

@@ -107,6 +107,25 @@ double saturating(double t, double first, double saturated, double sigma, double
   return saturated / std::sqrt(1 + c * std::exp(-2 * sigma * t)) * std::cos(omega * t);
 }
 
+// A flag that hangs or is blown to one side grows or decays about where it is.
+TEST(Growth, IsFoundAboutADeflectedFlag) {
+  for (const double offset : {0.05, 0.2, -0.4}) {
+    const RunHistory grows = synthetic_run(unequal_times(14, 0.02), 1, 1, [&](double, double t) {
+      return offset + growing(t, 1e-4, 0.35, 5.4);
+    });
+    const LinearPhase found = growth_of(grows);
+    ASSERT_TRUE(found.growth) << offset << found.note;
+    EXPECT_NEAR(found.growth->sigma, 0.35, 1e-3) << offset;
+    EXPECT_NEAR(found.growth->omega, 5.4, 1e-3) << offset;
+    const RunHistory decays = synthetic_run(unequal_times(14, 0.02), 1, 1, [&](double, double t) {
+      return offset + growing(t, 0.1, -0.3, 5.4);
+    });
+    const LinearPhase faded = growth_of(decays);
+    ASSERT_TRUE(faded.growth) << offset << faded.note;
+    EXPECT_NEAR(faded.growth->sigma, -0.3, 1e-3) << offset;
+  }
+}
+
 TEST(Growth, EndsWhereItSaturates) {
   const RunHistory run = synthetic_run(unequal_times(40, 0.02), 1, 1, [](double, double t) {
     return saturating(t, 1e-4, 0.14, 0.4, 5.5);

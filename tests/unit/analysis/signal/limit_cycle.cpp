@@ -86,6 +86,69 @@ TEST(LimitCycle, IsTakenAtTheAntinode) {
   EXPECT_NEAR(found.cycle->A_over_L, 0.12, 1e-4);
 }
 
+// Four planes resolve a wave whose antinodes lie between them.
+TEST(LimitCycle, IsTakenBetweenTheStationsWhereTheAntinodeIsThere) {
+  for (const std::size_t planes : {4U, 5U, 8U, 13U}) {
+    const RunHistory run =
+        synthetic_run(unequal_times(20, 0.02), 2, planes, [](double x, double t) {
+          return 0.14 * std::sin(two_pi * f * t) * std::cos(two_pi * (x - 0.25) / 2);
+        });
+    const LimitCycleResult found = find_limit_cycle(run, {});
+    ASSERT_TRUE(found.cycle);
+    EXPECT_NEAR(found.cycle->A_over_L, 0.14, 3e-4) << planes;
+    EXPECT_NEAR(std::fmod(found.cycle->antinode_share, 0.5), 0.125, 0.01) << planes;
+  }
+}
+
+RunHistory sparse_run(double interval) {
+  constexpr double mu = 0.1, amplitude = 0.14;
+  const std::size_t rows = static_cast<std::size_t>(200 / interval);
+  RunHistory run =
+      synthetic_run(equal_times(0, interval * static_cast<double>(rows), rows + 1), 1, 1,
+                    [](double, double t) { return amplitude * std::sin(two_pi * f * t); });
+  // Of a flag whose deflection grows linearly to the trailing edge.
+  test::set_column(run, "flag_kinetic", [](double t) {
+    return mu / 6 * std::pow(two_pi * f * amplitude * std::cos(two_pi * f * t), 2);
+  });
+  return run;
+}
+
+TEST(LimitCycle, IsToldByEnoughRowsAPeriod) {
+  constexpr double mu = 0.1;
+  const LimitCycleResult enough = find_limit_cycle(sparse_run(0.1), {}, mu);
+  ASSERT_TRUE(enough.cycle);
+  EXPECT_NEAR(enough.cycle->f_s, f, 1e-3);
+  EXPECT_NEAR(enough.cycle->A_over_L, 0.14, 1e-3);
+  const LimitCycleResult few = find_limit_cycle(sparse_run(0.2), {}, mu);
+  EXPECT_FALSE(few.cycle);
+  EXPECT_THAT(few.notes, Contains(HasSubstr("rows a period, and 8 are needed; shorten "
+                                            "dns.output.history_interval")));
+}
+
+// Every row is 1.1 L/V after the one before, in which the flag swings 0.957 times.
+TEST(LimitCycle, IsNotAnAlias) {
+  const LimitCycleResult blind = find_limit_cycle(sparse_run(1.1), {});
+  ASSERT_TRUE(blind.cycle) << "the rows by themselves do not show it";
+  EXPECT_NEAR(blind.cycle->f_s, 1 / 1.1 - f, 1e-3);
+  const LimitCycleResult found = find_limit_cycle(sparse_run(1.1), {}, 0.1);
+  EXPECT_FALSE(found.cycle);
+  EXPECT_THAT(found.notes, Contains(HasSubstr("alias")));
+}
+
+TEST(LimitCycle, SaysWhereEveryOtherPeriodIsAnother) {
+  const auto notes = [](double subharmonic, double phase) {
+    const RunHistory run = synthetic_run(unequal_times(30, 0.02), 1, 1, [=](double, double t) {
+      return 0.1 * std::sin(two_pi * f * t) + subharmonic * std::cos(two_pi * f * t / 2 + phase);
+    });
+    return find_limit_cycle(run, {}).notes;
+  };
+  for (const double phase : {0.0, 0.5, 1.0, 1.5}) {
+    EXPECT_THAT(notes(0.05, phase), Contains(HasSubstr("limit cycle: ")));
+    EXPECT_THAT(notes(0.03, phase), Contains(HasSubstr("limit cycle: "))) << phase;
+    EXPECT_THAT(notes(0.001, phase), testing::Not(Contains(HasSubstr("limit cycle: "))));
+  }
+}
+
 TEST(LimitCycle, SheddingIsThatOfTheNearestProbe) {
   RunHistory run = flapping_run();
   const auto swing = [](double frequency) {

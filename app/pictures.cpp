@@ -1,0 +1,32 @@
+#include "app/pictures.hpp"
+
+#include "common/errors.hpp"
+#include "common/parallel/exit_code.hpp"
+#include "common/process/process.hpp"
+
+namespace pennon::app {
+namespace {
+
+bool has_gnuplot() {
+  return find_program("gnuplot").has_value();
+}
+
+}  // namespace
+
+void warn_without_gnuplot() {
+  if (!has_gnuplot())
+    say("there will be no pictures, because gnuplot was not found; install gnuplot-nox, and pennon "
+        "plot draws them later");
+}
+
+void draw_pictures(const std::function<void()>& draw) {
+  if (!has_gnuplot()) return;
+  try {
+    draw();
+  } catch (const FileError& fault) {
+    say(std::string("the results are whole, but a picture was not drawn: ") + fault.what() +
+        "; pennon plot draws it later");
+  }
+}
+
+}  // namespace pennon::app
