@@ -7,6 +7,7 @@ pennon_test(test_grid
     unit/dns/grid/scratch.cpp
     unit/dns/grid/span.cpp
     unit/dns/numerics/anderson.cpp
+    unit/dns/numerics/backward_difference.cpp
     unit/dns/numerics/separable_solver.cpp
   SEPARATE
     unit/dns/grid/metrics.cpp
@@ -52,6 +53,7 @@ pennon_test(test_flag_verification
 # The fluid about a flag that moves as it is told.
 pennon_test(test_fluid
   SOURCES
+    unit/dns/fluid/convection.cpp
     unit/dns/fluid/parts.cpp
   LINK pennon::dns_run)
 # In a program of its own: it takes the place of malloc.
@@ -68,6 +70,7 @@ pennon_test(test_fluid_verification
     verification/dns/fluid/outflow.cpp
     verification/dns/fluid/plate.cpp
     verification/dns/fluid/potential.cpp
+    verification/dns/fluid/span.cpp
   SEPARATE
     verification/dns/fluid/budgets.cpp
     verification/dns/fluid/extremes.cpp

@@ -198,6 +198,23 @@ TEST_F(Dns, GoesOnAfterATerminationToTheSameBits) {
             json::parse(whole.out).at("dns").at("last"));
 }
 
+// The work of loads and what the damping took are sums over the whole run.
+TEST_F(Dns, GoesOnWithTheWorkOfItsLoads) {
+  const std::string file = (source / "data/cases/flag/swinging_membrane.toml").string();
+  Outcome whole, continued;
+  ASSERT_NO_FATAL_FAILURE(expect_same_after_termination(
+      {"dns", file, "--set", "dns.n_x=6", "--set", "dns.flag.n_y=8", "--set", "dns.t_end=2.5",
+       "--set", "dns.loads.load=[0,0,0.5]", "--set", "flag.damping=0.01", "--set",
+       "dns.output.checkpoint_interval=0.5", "--json"},
+      whole, continued));
+  const CsvTable history(results("parts") + "/history.csv");
+  const auto last = [&](const char* name) {
+    return *history.number(history.rows() - 1, history.column(name));
+  };
+  EXPECT_GT(std::abs(last("work")), 0.01) << "the loads do work";
+  EXPECT_GT(last("dissipated"), 0);
+}
+
 TEST_F(Dns, RefusesTheCheckpointOfAnotherFlag) {
   const std::string file = (source / "data/cases/flag/hanging_chain.toml").string();
   ASSERT_EQ(

@@ -64,6 +64,8 @@ TEST_F(DnsCoupled, RunsAndKeepsWhatHappens) {
   EXPECT_EQ(history.read("/trailing_edge").values.back(),
             dns.at("last").at("z_trailing_edge").get<double>());
   const CsvTable table(results() + "/history.csv");
+  constexpr double tolerance = 1e-5;  // dns.coupling.tolerance, of a jump below 1
+  for (const double residual : table.numbers("coupling_residual")) EXPECT_LE(residual, tolerance);
   EXPECT_NEAR(*table.number(0, table.column("z_trailing_edge")), 0.05, 1e-4);
   EXPECT_LT(std::abs(last(table, "flag_defect")), 1e-5);
   EXPECT_TRUE(test::check_xdmf(results() + "/shapes.xdmf").faults.empty());
