@@ -59,6 +59,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
   check(analysis, faults);
   check(compare, flag, faults);
   faults.raise();
+  faults_ = std::move(faults);
   lsa.is_given = lsa.is_given || asked.lsa;
   modes.is_given = modes.is_given || asked.modes;
   global_modes.is_given = global_modes.is_given || asked.global_modes;

@@ -43,6 +43,9 @@ struct Case {
   std::string name;  ///< of the file, without its ending
   Schema schema;     ///< bound to the members above, so a case does not move
 
+  /// A fault that was found after the case was read, with the place of the key that it is about.
+  InputError located(const InputError& error) const { return faults_->located(error); }
+
   /// All defaults; only its schema is of use.
   Case();
   /// Reads and checks a case file with its overrides. The echo of the schema has the tables that
@@ -51,6 +54,9 @@ struct Case {
   Case(const Case&) = delete;
   Case& operator=(const Case&) = delete;
   ~Case() = default;
+
+ private:
+  std::optional<Faults> faults_;  // none where there is no file
 };
 
 }  // namespace pennon::app

@@ -12,6 +12,7 @@
 #include "app/compare_report.hpp"
 #include "app/global_process.hpp"
 #include "app/run_of_case.hpp"
+#include "common/progress.hpp"
 #include "common/stop_watch.hpp"
 #include "lsa/settings.hpp"
 
@@ -44,7 +45,7 @@ ComparedModel global_row(const Case& the_case, std::int64_t waves, const OutputF
   if (waves > 0) settings.n_x = std::max(fewest_nodes, the_case.dns.n_x / waves);
   const OutputFolder its_own(folder / fmt::format("global_{}", waves));
   const modes::global::Problem problem(the_case.flag, the_case.flow, settings);
-  const modes::global::Findings found = solve_global_modes(problem, its_own);
+  const modes::global::Findings found = solve_global_modes(problem, its_own, false);
   const std::complex<double> lambda = found.spectrum.modes.front().lambda;
   const double growth = lambda.real(), frequency = lambda.imag() / (2 * std::numbers::pi);
   ComparedModel row{"global", waves, growth, std::abs(frequency), growth > 0, watch.seconds()};
@@ -82,11 +83,14 @@ void run_compare(const Options& options, const std::string& run_folder) {
   const auto work = [&](const Case& the_case, const OutputFolder& folder, Record& record) {
     std::vector<ComparedModel> rows;
     std::vector<std::string> notes;
-    for (const std::int64_t waves : waves_of(the_case.compare, the_case.flag))
-      rows.push_back(local_row(the_case, waves));
-    for (const std::int64_t waves : waves_of(the_case.compare, the_case.flag)) {
+    const std::vector<std::int64_t> all_waves = waves_of(the_case.compare, the_case.flag);
+    for (const std::int64_t waves : all_waves) rows.push_back(local_row(the_case, waves));
+    Progress progress("global modes", static_cast<std::int64_t>(all_waves.size()), !options.quiet);
+    for (const std::int64_t waves : all_waves) {
       const auto timer = record.time("global modes");
       rows.push_back(global_row(the_case, waves, folder));
+      progress.advance_to(static_cast<std::int64_t>(rows.size()) -
+                          static_cast<std::int64_t>(all_waves.size()));
     }
     const auto timer = record.time("analyze");
     if (run_found)

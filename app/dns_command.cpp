@@ -11,6 +11,7 @@
 #include "dns/run/flag_convergence.hpp"
 #include "dns/run/flag_run.hpp"
 #include "dns/run/fluid_run.hpp"
+#include "dns/run/preflight.hpp"
 #include "dns/run/run_report.hpp"
 #include "modes/normal/initial_shape.hpp"
 #include "modes/normal/study.hpp"
@@ -108,6 +109,8 @@ void run_dns(const Options& options, const RestartOptions& restart) {
     if (!the_case.has_flow && ranks::count() > 1)
       throw InputError("mpiexec", fmt::format("started {} ranks, but a flag by itself runs on one",
                                               ranks::count()));
+    if (!the_case.dns.convergence.is_given)
+      dns::expect_start(the_case.dns, the_case.flag, the_case.has_flow, shape_of(the_case));
     beginning = beginning_of(the_case, restart);
   };
   const auto work = [&](const Case& the_case, const OutputFolder& folder,

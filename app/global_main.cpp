@@ -16,6 +16,7 @@
 #include "modes/global/solve/slepc/krylov_schur.hpp"
 #include "modes/global/solve/slepc/mumps_factors.hpp"
 #include "modes/global/study/fields_file.hpp"
+#include "modes/global/study/kept_pieces.hpp"
 #include "modes/global/study/wire.hpp"
 
 namespace {
@@ -41,12 +42,15 @@ void solve(const std::filesystem::path& problem_file, const std::filesystem::pat
   global::Result result = global::run(flag, flow, settings, eigenpairs);
   if (!result.found.modes.empty()) write_fields(result, result_file.parent_path());
   global::Findings findings{.spectrum = std::move(result.found)};
+  global::KeptPieces pieces(result_file.parent_path() / "global_pieces.json",
+                            resolved_text(problem.schema));
   if (settings.neutral.is_given)
-    findings.neutral =
-        global::neutral_curve(flag, flow, settings, eigenpairs, global::mumps_factors());
+    findings.neutral = global::neutral_curve(flag, flow, settings, eigenpairs,
+                                             global::mumps_factors(), pieces.neutral());
   if (settings.map.is_given)
-    findings.map = global::growth_map(flag, flow, settings, global::mumps_factors());
+    findings.map = global::growth_map(flag, flow, settings, global::mumps_factors(), pieces.map());
   write_findings(findings, result_file);
+  pieces.remove();
 }
 
 int run(int argc, char** argv) {

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,9 +48,11 @@ InputError input_error(const std::string& sentence) {
 }
 
 // What a failed end of pennon-global says. mpiexec tells of a signal by a status of 128 and more.
-void raise(const ChildEnd& end) {
+void raise(const ChildEnd& end, bool keeps_pieces) {
   const std::string sentence = sentence_of(end.messages);
-  stop_if_interrupted("no global modes were written");
+  stop_if_interrupted(keeps_pieces ? "the finished points of the neutral curve or columns of the "
+                                     "map are kept; the same command goes on with them"
+                                   : "no global modes were written");
   if (end.exit_status == exit_bad_input) throw input_error(sentence);
   if (end.exit_status == exit_not_converged) throw SolverError(sentence);
   constexpr int signals = 128;
@@ -61,16 +65,30 @@ void raise(const ChildEnd& end) {
 }
 
 // pennon-global with these arguments, shared by so many ranks.
-ChildProgram global_program(std::vector<std::string> arguments, std::int64_t shared_by) {
+ChildProgram global_program(std::vector<std::string> arguments, std::int64_t shared_by,
+                            bool shows_progress) {
   const std::filesystem::path program = program_beside_this();
+  const auto takes_progress = [shows_progress](std::string_view line) {
+    const bool is_progress = std::ranges::any_of(
+        modes::global::names_of_progress,
+        [line](std::string_view name) { return line.starts_with(std::string(name) + ": "); });
+    if (is_progress && shows_progress) fmt::print(stderr, "{}\n", line);
+    return is_progress;
+  };
   if (shared_by == 1)
-    return {.program = program, .arguments = std::move(arguments), .is_interruptible = true};
+    return {.program = program,
+            .arguments = std::move(arguments),
+            .is_interruptible = true,
+            .takes_line = takes_progress};
   const auto mpiexec = find_program(PENNON_MPIEXEC);
   if (!mpiexec)
     throw InputError("modes.global.ranks", fmt::format("{} ranks need {}, which is not there",
                                                        shared_by, PENNON_MPIEXEC));
   arguments.insert(arguments.begin(), {"-n", std::to_string(shared_by), program.string()});
-  return {.program = *mpiexec, .arguments = std::move(arguments), .is_interruptible = true};
+  return {.program = *mpiexec,
+          .arguments = std::move(arguments),
+          .is_interruptible = true,
+          .takes_line = takes_progress};
 }
 
 }  // namespace
@@ -84,11 +102,14 @@ void expect_one_rank_for_global_modes() {
 }
 
 modes::global::Findings solve_global_modes(const modes::global::Problem& problem,
-                                           const OutputFolder& folder) {
+                                           const OutputFolder& folder, bool shows_progress) {
   const std::filesystem::path asked = folder / "global_problem.toml",
                               answered = folder / "global_modes.json";
   write_file(asked, "# What pennon-global solved.\n" + resolved_text(problem.schema));
-  raise(run_program(global_program({asked.string(), answered.string()}, problem.settings.ranks)));
+  const modes::global::Settings& settings = problem.settings;
+  raise(run_program(
+            global_program({asked.string(), answered.string()}, settings.ranks, shows_progress)),
+        settings.neutral.is_given || settings.map.is_given);
   return modes::global::read_findings(answered);
 }
 

@@ -30,9 +30,9 @@ Answer normal_modes(const Case& the_case, const OutputFolder& folder, Record& re
 }
 
 // The value of "global".
-Answer global_modes(const Case& the_case, const OutputFolder& folder) {
+Answer global_modes(const Case& the_case, const OutputFolder& folder, bool shows_progress) {
   const modes::global::Problem problem(the_case.flag, the_case.flow, the_case.global_modes);
-  const modes::global::Findings found = solve_global_modes(problem, folder);
+  const modes::global::Findings found = solve_global_modes(problem, folder, shows_progress);
   if (!found.spectrum.modes.empty()) {
     write_tables(found.spectrum, folder);
     draw_pictures([&] { analysis::plot(folder / "global_modes.h5"); });
@@ -68,11 +68,11 @@ void run_modes(const Options& options) {
     else
       expect_one_rank("pennon modes");
   };
-  const auto work = [](const Case& the_case, const OutputFolder& folder, Record& record) {
+  const auto work = [&](const Case& the_case, const OutputFolder& folder, Record& record) {
     Answer answer = normal_modes(the_case, folder, record);
     if (the_case.global_modes.is_given) {
       const auto timer = record.time("global modes");
-      const Answer global = global_modes(the_case, folder);
+      const Answer global = global_modes(the_case, folder, !options.quiet);
       answer.json["global"] = global.json;
       answer.text += global.text;
     }

@@ -1,5 +1,8 @@
 #include "app/pictures.hpp"
 
+#include <exception>
+#include <string>
+
 #include "common/errors.hpp"
 #include "common/parallel/exit_code.hpp"
 #include "common/process/process.hpp"
@@ -21,11 +24,16 @@ void warn_without_gnuplot() {
 
 void draw_pictures(const std::function<void()>& draw) {
   if (!has_gnuplot()) return;
+  const auto say_why = [](const std::exception& fault) {
+    say(std::string("the results are whole, but a picture was not drawn: ") + fault.what() +
+        "; pennon plot draws it later");
+  };
   try {
     draw();
   } catch (const FileError& fault) {
-    say(std::string("the results are whole, but a picture was not drawn: ") + fault.what() +
-        "; pennon plot draws it later");
+    say_why(fault);
+  } catch (const InputError& fault) {
+    say_why(fault);
   }
 }
 

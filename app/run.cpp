@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "app/case_notes.hpp"
 #include "app/pictures.hpp"
 #include "common/errors.hpp"
 #include "common/io/atomic_file.hpp"
@@ -30,15 +31,18 @@ void expect_one_rank(const std::string& command) {
                      fmt::format("started {} ranks, but {} runs on one", ranks::count(), command));
 }
 
-void run(const Command& command, const Options& options) {
-  Record record(options.command_line);
-  const Case the_case(options.case_file, options.overrides, command.asked);
+namespace {
+
+void run(const Command& command, const Case& the_case, const Options& options, Record& record) {
   if (command.expect) command.expect(the_case);
   const std::string resolved = resolved_text(the_case.schema);
   const std::string title = fmt::format(
       "{} as version {} understood it: every key, defaults included.", the_case.name, version());
+  const std::vector<std::string> notes = notes_on(the_case, command.name);
   if (options.check) {
-    if (ranks::is_leading()) print(fmt::format("# {}\n{}", title, resolved));
+    std::string text = fmt::format("# {}\n", title);
+    for (const std::string& note : notes) text += fmt::format("# Note: {}.\n", note);
+    if (ranks::is_leading()) print(text + resolved);
     return;
   }
   if (the_case.name.empty() || the_case.name.starts_with('.'))
@@ -55,8 +59,10 @@ void run(const Command& command, const Options& options) {
                              .files = command.files,
                              .checkpoint = command.checkpoint ? command.checkpoint() : std::nullopt,
                              .is_forced = options.force});
-  const Answer answer = command.work(the_case, folder.output(), record);
+  Answer answer = command.work(the_case, folder.output(), record);
   if (!ranks::is_leading()) return;
+  for (const std::string& note : notes) answer.text += fmt::format("  note: {}\n", note);
+  if (!notes.empty()) answer.json["notes"] = notes;
   folder.remove_older_files();
   const std::filesystem::path& path = folder.output().path();
   record.write(path / "record.json", ranks::count());
@@ -65,6 +71,18 @@ void run(const Command& command, const Options& options) {
     print(answer.json.dump() + "\n");
   else if (!options.quiet)
     print(fmt::format("{}  results in {}\n", answer.text, path.string()));
+}
+
+}  // namespace
+
+void run(const Command& command, const Options& options) {
+  Record record(options.command_line);
+  const Case the_case(options.case_file, options.overrides, command.asked);
+  try {
+    run(command, the_case, options, record);
+  } catch (const InputError& fault) {
+    throw the_case.located(fault);
+  }
 }
 
 }  // namespace pennon::app

@@ -77,7 +77,7 @@ Figure figure_of_flag_history(const hdf5::Reader& file) {
   Figure figure;
   figure.x.label = "{/:Italic tV}/{/:Italic L}";
   figure.y.label = "energy";
-  const hdf5::Array history = file.read("/history", {hdf5::any, columns_of_history});
+  const hdf5::Array history = file.read("/history", {hdf5::any_or_none, columns_of_history});
   const std::vector<double> times = column(history, t);
   struct Drawn {
     Column column;

@@ -33,7 +33,7 @@ Figure figure_of_fluid_history(const hdf5::Reader& file) {
   Figure figure;
   figure.x.label = "{/:Italic tV}/{/:Italic L}";
   figure.y.label = "force coefficient";
-  const hdf5::Array history = file.read("/history", {hdf5::any, hdf5::any});
+  const hdf5::Array history = file.read("/history", {hdf5::any_or_none, hdf5::any});
   const std::vector<double> t = column(file, history, "t");
   figure.lines.push_back({t, column(file, history, "C_D"), "{/:Italic C_D}", Stroke::solid, 1});
   figure.lines.push_back({t, column(file, history, "C_L"), "{/:Italic C_L}", Stroke::dashed, 2});
@@ -48,7 +48,8 @@ Figure figure_of_trailing_edge(const hdf5::Reader& file) {
   Figure figure;
   figure.x.label = "{/:Italic tV}/{/:Italic L}";
   figure.y.label = "{/:Italic z}/{/:Italic L} of the trailing edge";
-  const std::vector<double> t = column(file, file.read("/history", {hdf5::any, hdf5::any}), "t");
+  const std::vector<double> t =
+      column(file, file.read("/history", {hdf5::any_or_none, hdf5::any}), "t");
   const hdf5::Array edge = file.read("/trailing_edge", {t.size(), hdf5::any, components});
   const std::size_t planes = edge.shape[1], drawn = std::min(planes, stations_drawn);
   for (std::size_t k = 0; k < drawn; ++k) {

@@ -54,7 +54,7 @@ class HistoryFile {
 
  private:
   void read_columns(RunHistory& history) const {
-    const hdf5::Array rows = file_.read("/history", {hdf5::any, hdf5::any});
+    const hdf5::Array rows = file_.read("/history", {hdf5::any_or_none, hdf5::any});
     const std::vector<std::string> names = split(file_.text("/history", "columns"));
     if (names.size() != rows.shape[1])
       throw InputError(path_, fmt::format("has {} columns in /history, but its attribute `columns` "

@@ -111,6 +111,20 @@ void Faults::about(const std::string& key, std::string what) {
   faults_.push_back({place == places_.end() ? file_ : place->second, std::move(what)});
 }
 
+InputError Faults::located(const InputError& error) const {
+  std::vector<InputFault> faults = error.faults();
+  for (InputFault& fault : faults) {
+    const std::size_t dot = fault.where.rfind('.');
+    const auto place = places_.find(fault.where);
+    const bool is_key = place != places_.end() || (dot != std::string::npos && dot > 0 &&
+                                                   places_.contains(fault.where.substr(0, dot)));
+    if (!is_key) continue;
+    fault.what = fault.where + " " + fault.what;
+    fault.where = place == places_.end() ? file_ : place->second;
+  }
+  return InputError(std::move(faults));
+}
+
 void Faults::raise() const {
   if (faults_.empty()) return;
   std::vector<InputFault> sorted = faults_;

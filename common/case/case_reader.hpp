@@ -27,6 +27,8 @@ class Faults {
   /// there is any.
   void raise() const;
   std::size_t count() const { return faults_.size(); }
+  /// Faults that were found later, about keys by their names: each with the place of its key.
+  InputError located(const InputError&) const;
 
  private:
   std::string file_;

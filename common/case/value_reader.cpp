@@ -177,7 +177,13 @@ class ValueReader {
     }
     const auto part = [&](const char* name, auto read_one) {
       const toml::node* node = table.get(name);
-      if (node != nullptr) return read_one(*node);
+      if (node != nullptr) {
+        const std::size_t before = faults_.size();
+        const auto value = read_one(*node);
+        for (std::size_t k = before; k < faults_.size(); ++k)
+          faults_[k] = fmt::format("has a range whose {} {}", name, faults_[k]);
+        return value;
+      }
       faults_.push_back(
           fmt::format("lacks {}: a range is {{ from = a, to = b, points = n }}", name));
       return decltype(read_one(table))();

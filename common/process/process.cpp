@@ -167,9 +167,35 @@ pid_t start(const ChildProgram& asked, const Streams& streams) {
   fail(program + " cannot be started", error);
 }
 
+// The lines of a child that come piece by piece.
+class Lines {
+ public:
+  explicit Lines(const ChildProgram& asked) : takes_line_(asked.takes_line) {}
+
+  void add(std::string_view piece) {
+    if (!takes_line_) {
+      kept_ += piece;
+      return;
+    }
+    begun_ += piece;
+    for (std::size_t end = begun_.find('\n'); end != std::string::npos; end = begun_.find('\n')) {
+      const std::string line = begun_.substr(0, end);
+      begun_.erase(0, end + 1);
+      if (!takes_line_(line)) kept_ += line + '\n';
+    }
+  }
+  /// What was not taken.
+  std::string rest() const { return kept_ + begun_; }
+
+ private:
+  const std::function<bool(std::string_view)>& takes_line_;
+  std::string kept_, begun_;
+};
+
 // What the child says until it closes its standard error.
-std::string read_messages(int pipe_end, pid_t child, bool is_interruptible) {
-  std::string text;
+std::string read_messages(int pipe_end, pid_t child, const ChildProgram& asked) {
+  const bool is_interruptible = asked.is_interruptible;
+  Lines lines(asked);
   std::array<char, 4096> buffer{};
   constexpr int milliseconds_between_looks = 200;
   constexpr int looks_of_grace = 10;
@@ -184,9 +210,9 @@ std::string read_messages(int pipe_end, pid_t child, bool is_interruptible) {
     if (poll(&waiting, 1, milliseconds_between_looks) <= 0) continue;
     const ssize_t count = read(pipe_end, buffer.data(), buffer.size());
     if (count > 0)
-      text.append(buffer.data(), static_cast<std::size_t>(count));
+      lines.add({buffer.data(), static_cast<std::size_t>(count)});
     else if (count == 0 || errno != EINTR)
-      return text;
+      return lines.rest();
   }
 }
 
@@ -219,7 +245,7 @@ ChildEnd run_program(const ChildProgram& asked) {
   const pid_t child = start(asked, streams);
   streams.messages.to_write.close();
   ChildEnd end;
-  end.messages = read_messages(streams.messages.to_read.number(), child, asked.is_interruptible);
+  end.messages = read_messages(streams.messages.to_read.number(), child, asked);
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) fail(program + " was lost", errno);

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,9 @@ struct ChildProgram {
   /// Whether it is sent SIGTERM once the user has asked pennon to stop (common/interrupt.hpp), and
   /// two seconds later SIGKILL.
   bool is_interruptible = false;
+  /// Is handed each line that the child writes to its standard error, without its end, as it comes;
+  /// those for which it returns true are no messages. None: all are.
+  std::function<bool(std::string_view line)> takes_line = {};
 };
 
 /// The name under which a child may open its data, as often as it likes, from the beginning.

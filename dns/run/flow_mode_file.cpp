@@ -15,20 +15,32 @@ using Complex = std::complex<double>;
 
 constexpr const char* velocity_names[] = {"v", "w", "u"};
 
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
+  throw InputError("dns.initial.global_modes", fmt::format("{} {}", path.string(), what));
+}
+
+std::string group_of(int number) {
+  return fmt::format("/mode_{}", number);
+}
+
+void expect_mode(const hdf5::Reader& file, int number) {
+  if (file.text("/", "kind") != "global_modes")
+    fail(file.path(), "is no file of global modes, as pennon modes writes with [modes.global]");
+  if (!file.contains(group_of(number) + "/zeta_real"))
+    fail(file.path(), fmt::format("holds {} modes; dns.initial.global_mode = {} is not among them",
+                                  file.shape("/growth", {hdf5::any})[0], number));
+}
+
 class ModeReader {
  public:
   ModeReader(const std::filesystem::path& path, int number, const Fluid& fluid,
              const FlagParameters& flag)
       : path_(path),
         file_(path),
-        group_(fmt::format("/mode_{}", number)),
+        group_(group_of(number)),
         fluid_(fluid),
         plane_{1, fluid.extent().n_rho, fluid.extent().n_theta} {
-    if (file_.text("/", "kind") != "global_modes")
-      fail("is no file of global modes, as pennon modes writes with [modes.global]");
-    if (!file_.contains(group_ + "/zeta_real"))
-      fail(fmt::format("holds {} modes; dns.initial.global_mode = {} is not among them",
-                       file_.shape("/growth", {hdf5::any})[0], number));
+    expect_mode(file_, number);
     expect_grid();
     expect("flow.Re", "Re", fluid.parameters().Re);
     expect("flow.U", "U", fluid.parameters().U);
@@ -71,9 +83,7 @@ class ModeReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError("dns.initial.global_modes", fmt::format("{} {}", path_.string(), what));
-  }
+  [[noreturn]] void fail(const std::string& what) const { pennon::dns::fail(path_, what); }
 
   std::vector<double> finite_list(const std::string& name, hsize_t count) const {
     std::vector<double> values = file_.list(name, count);
@@ -170,6 +180,10 @@ class ModeReader {
 };
 
 }  // namespace
+
+void expect_flow_mode(const std::filesystem::path& file, int number) {
+  expect_mode(hdf5::Reader(file), number);
+}
 
 FlowMode read_flow_mode(const std::filesystem::path& file, int number, const Fluid& fluid,
                         const FlagParameters& flag) {

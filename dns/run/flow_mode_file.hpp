@@ -17,4 +17,7 @@ namespace pennon::dns {
 FlowMode read_flow_mode(const std::filesystem::path& file, int number, const Fluid&,
                         const FlagParameters&);
 
+/// Whether the file holds global modes, this one among them; throws InputError where it does not.
+void expect_flow_mode(const std::filesystem::path& file, int number);
+
 }  // namespace pennon::dns

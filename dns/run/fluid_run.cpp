@@ -28,6 +28,14 @@ double first_step(const Settings& settings) {
   return settings.fluid.first_dt.value_or((is_smooth ? 1 : share) * settings.dt);
 }
 
+// Of a run: one at its start, and at most one a step. By the Courant number steps may be shorter
+// than dt, and nobody knows how many.
+std::uintmax_t most_fields(const Settings& settings) {
+  const double intervals = settings.t_end / settings.output.field_interval;
+  const double steps = settings.fluid.cfl ? intervals : settings.t_end / settings.dt;
+  return 2 + static_cast<std::uintmax_t>(std::min(intervals, steps));
+}
+
 // The fluid with what it runs about.
 class Flow {
  public:
@@ -39,10 +47,8 @@ class Flow {
         body_(body_of(fluid_, settings, flag, shape)),
         steps_(settings.dt, settings.fluid.cfl, settings.t_end) {
     if (settings.output.field_interval > 0)
-      folder.require_space(
-          size_of_fields(fluid_) *
-              static_cast<std::uintmax_t>(1 + settings.t_end / settings.output.field_interval),
-          "the fields of the whole run");
+      folder.require_space(size_of_fields(fluid_) * most_fields(settings),
+                           "the fields of the whole run");
   }
 
   const char* name() const { return "direct simulation"; }

@@ -67,6 +67,10 @@ void check(const Settings& settings, const FlagParameters& flag, bool has_flow, 
     check(settings.probes, settings.fluid.R, faults);
     if (settings.motion.is_given) check(settings.motion, settings.n_x, flag, faults);
   }
+  if (settings.motion.is_given && !has_flow)
+    about_key(faults, "dns.motion",
+              "moves a flag in a flow, but [flow] is missing; a flag by itself moves by "
+              "[dns.initial] and [dns.loads]");
   check(settings.flag, settings.n_x, flag, faults);
   check(settings.loads, flag, faults);
   check(settings.initial, settings.flag, flag, faults);

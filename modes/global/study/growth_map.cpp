@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "common/interrupt.hpp"
+#include "common/progress.hpp"
 #include "modes/global/map/reduced_map.hpp"
 #include "modes/global/study/linearisation.hpp"
 
@@ -30,11 +31,17 @@ class Map {
     map_.neutral.resize(map_.x.size());
   }
 
-  GrowthMap run() {
+  GrowthMap run(const Keeper<MapProgress>& keeper) {
     const std::size_t columns = linearisations_.fluid_varies() ? 1 : map_.x.size();
-    for (std::size_t first = 0; first < map_.x.size(); first += columns) {
+    MapProgress so_far = keeper.begin();
+    if (so_far.next > 0) map_ = std::move(so_far.map);
+    Progress progress(names_of_progress[1], static_cast<std::int64_t>(map_.x.size()), true);
+    progress.begin_at(static_cast<std::int64_t>(so_far.next));
+    for (std::size_t first = so_far.next; first < map_.x.size(); first += columns) {
       stop_if_interrupted("no map was written");
       find(first, columns);
+      keeper.keep({map_, first + columns});
+      progress.advance_to(static_cast<std::int64_t>(first + columns));
     }
     return std::move(map_);
   }
@@ -88,8 +95,9 @@ class Map {
 }  // namespace
 
 GrowthMap growth_map(const FlagParameters& flag, const FlowParameters& flow,
-                     const Settings& settings, const std::shared_ptr<SparseFactors>& factors) {
-  return Map(flag, flow, settings, factors).run();
+                     const Settings& settings, const std::shared_ptr<SparseFactors>& factors,
+                     const Keeper<MapProgress>& keeper) {
+  return Map(flag, flow, settings, factors).run(keeper);
 }
 
 }  // namespace pennon::modes::global

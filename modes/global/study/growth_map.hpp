@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "modes/global/solve/sparse_factors.hpp"
+#include "modes/global/study/keeper.hpp"
 #include "modes/global/study/study.hpp"
 
 namespace pennon::modes::global {
@@ -28,9 +29,16 @@ struct GrowthMap {
   double sample_seconds = 0, map_seconds = 0;
 };
 
+/// A map and the column that is next.
+struct MapProgress {
+  GrowthMap map;
+  std::size_t next = 0;
+};
+
 /// Preconditions: the settings are resolved and have [modes.global.map]. Throws SolverError where a
-/// steady flow or a fit fails.
+/// steady flow or a fit fails. `keeper`: keeps the columns that share a flow. Throws Interrupted
+/// between them.
 GrowthMap growth_map(const FlagParameters&, const FlowParameters&, const Settings&,
-                     const std::shared_ptr<SparseFactors>&);
+                     const std::shared_ptr<SparseFactors>&, const Keeper<MapProgress>& keeper = {});
 
 }  // namespace pennon::modes::global

@@ -5,6 +5,8 @@
 #include <iterator>
 
 #include "common/errors.hpp"
+#include "common/interrupt.hpp"
+#include "common/progress.hpp"
 #include "common/stop_watch.hpp"
 #include "modes/global/map/sampled_fit.hpp"
 #include "modes/global/study/linearisation.hpp"
@@ -42,13 +44,19 @@ class Curve {
         values_(sweep(wanted_).values()),
         is_log_(sweep(wanted_).scale == Scale::log) {}
 
-  NeutralCurve run() {
-    std::vector<CurvePoint> found(values_.size());
-    std::vector<std::string> faults(values_.size());  // why there are no modes
+  NeutralCurve run(const Keeper<CurveProgress>& keeper) {
+    CurveProgress so_far = keeper.begin();
+    so_far.found.resize(values_.size());
+    so_far.faults.resize(values_.size());
+    branches_ = so_far.branches;
+    auto& [found, faults, next, last_scan, scan_to, branches] = so_far;
     const std::size_t last = values_.size() - 1;
     const auto every = static_cast<std::size_t>(wanted_.scan_every);
-    std::size_t last_scan = 0, scan_to = 0;
-    for (std::size_t i = 0; i <= last; ++i) {
+    Progress progress(names_of_progress[0], static_cast<std::int64_t>(values_.size()), true);
+    progress.begin_at(static_cast<std::int64_t>(next));
+    while (next <= last) {
+      stop_if_interrupted("no neutral curve was written");
+      const std::size_t i = next++;
       CurvePoint& point = found[i];
       point = CurvePoint{};
       point.value = values_[i];
@@ -56,14 +64,18 @@ class Curve {
       const bool is_due =
           i <= scan_to || i == last || i % every == 0 || !linearisations_.fluid_varies();
       faults[i] = find(is_due, expectations(found, i), point);
-      if (point.fit_error == 0) continue;
-      if (i > last_scan + 1 && i > scan_to && has_new_lowest(point, known)) {
-        // It was already there, or came in between.
-        scan_to = i;
-        i = last_scan;
-        continue;
+      progress.advance_to(static_cast<std::int64_t>(i + 1));
+      if (point.fit_error != 0) {
+        if (i > last_scan + 1 && i > scan_to && has_new_lowest(point, known)) {
+          // It was already there, or came in between.
+          scan_to = i;
+          next = last_scan + 1;
+        } else {
+          last_scan = i;
+        }
       }
-      last_scan = i;
+      branches = branches_;
+      keeper.keep(so_far);
     }
     NeutralCurve curve{.parameter = parameter(wanted_), .points = {}, .missing = {}};
     for (std::size_t i = 0; i <= last; ++i) {
@@ -214,8 +226,9 @@ class Curve {
 
 NeutralCurve neutral_curve(const FlagParameters& flag, const FlowParameters& flow,
                            const Settings& settings, const EigenSolver& solve,
-                           const std::shared_ptr<SparseFactors>& factors) {
-  return Curve(flag, flow, settings, solve, factors).run();
+                           const std::shared_ptr<SparseFactors>& factors,
+                           const Keeper<CurveProgress>& keeper) {
+  return Curve(flag, flow, settings, solve, factors).run(keeper);
 }
 
 }  // namespace pennon::modes::global

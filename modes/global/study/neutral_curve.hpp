@@ -15,6 +15,7 @@
 
 #include "modes/global/neutral/neutral.hpp"
 #include "modes/global/solve/sparse_factors.hpp"
+#include "modes/global/study/keeper.hpp"
 #include "modes/global/study/study.hpp"
 
 namespace pennon::modes::global {
@@ -41,6 +42,16 @@ struct MissingPoint {
   std::string fault;
 };
 
+/// What goes on where a curve was left: its points so far and what the next one depends on beside
+/// them. The steady flow of the next point is found anew, so that it is the same to the tolerance
+/// of Newton's method and not to the last bit.
+struct CurveProgress {
+  std::vector<CurvePoint> found;    ///< of all values
+  std::vector<std::string> faults;  ///< why there are no modes
+  std::size_t next = 0, last_scan = 0, scan_to = 0;
+  int branches = 0;
+};
+
 struct NeutralCurve {
   CurveParameter parameter = CurveParameter::Re;
   std::vector<CurvePoint> points;     ///< with at least one mode
@@ -49,7 +60,9 @@ struct NeutralCurve {
 
 /// Preconditions: the settings are resolved and have [modes.global.neutral]. A point at which the
 /// steady flow, a fit or the modes fail is left out, and said so.
+/// `keeper`: keeps each point. Throws Interrupted between two points.
 NeutralCurve neutral_curve(const FlagParameters&, const FlowParameters&, const Settings&,
-                           const EigenSolver&, const std::shared_ptr<SparseFactors>&);
+                           const EigenSolver&, const std::shared_ptr<SparseFactors>&,
+                           const Keeper<CurveProgress>& keeper = {});
 
 }  // namespace pennon::modes::global

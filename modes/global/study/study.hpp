@@ -14,6 +14,9 @@
 
 namespace pennon::modes::global {
 
+/// What the lines of progress of long studies begin with (common/progress.hpp).
+inline constexpr std::array<const char*, 2> names_of_progress = {"neutral curve", "growth map"};
+
 struct GlobalMode {
   std::complex<double> lambda = 0;              ///< growth rate and angular frequency, in V/L
   double residual = 0;                          ///< |A q - lambda B q| over |A q| + |lambda| |B q|

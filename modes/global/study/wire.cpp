@@ -137,6 +137,22 @@ void members(auto& wire, Is<Findings> auto& of) {
   wire("map", map);
 }
 
+void members(auto& wire, Is<CurveProgress> auto& of) {
+  auto& [found, faults, next, last_scan, scan_to, branches] = of;
+  wire("points", found);
+  wire("faults", faults);
+  wire("next", next);
+  wire("last_scan", last_scan);
+  wire("scan_to", scan_to);
+  wire("branches", branches);
+}
+
+void members(auto& wire, Is<MapProgress> auto& of) {
+  auto& [map, next] = of;
+  wire("map", map);
+  wire("next", next);
+}
+
 CurveParameter parameter_named(const Json& word) {
   static const Json known = [] {
     Json json;
@@ -252,6 +268,19 @@ Findings from_wire(const Json& json) {
   Findings findings;
   Reader::decode(json, findings);
   return findings;
+}
+
+Json to_wire(const CurveProgress& progress) {
+  return Writer::code(progress);
+}
+Json to_wire(const MapProgress& progress) {
+  return Writer::code(progress);
+}
+void from_wire(const Json& json, CurveProgress& progress) {
+  Reader::decode(json, progress);
+}
+void from_wire(const Json& json, MapProgress& progress) {
+  Reader::decode(json, progress);
 }
 
 void write_findings(const Findings& findings, const std::filesystem::path& path) {

@@ -26,6 +26,12 @@ nlohmann::ordered_json to_wire(const Findings&);
 /// Throws nlohmann::json::exception where a member is missing or of another type.
 Findings from_wire(const nlohmann::ordered_json&);
 
+/// The same of what is kept on the way (kept_pieces.hpp).
+nlohmann::ordered_json to_wire(const CurveProgress&);
+nlohmann::ordered_json to_wire(const MapProgress&);
+void from_wire(const nlohmann::ordered_json&, CurveProgress&);
+void from_wire(const nlohmann::ordered_json&, MapProgress&);
+
 /// Writes them to a file, whole or not at all. Throws FileError.
 void write_findings(const Findings&, const std::filesystem::path&);
 /// Throws FileError, which names the file, where it cannot be read or is not one of these.

@@ -170,6 +170,19 @@ TEST_F(DnsFluid, FollowsANormalModeOfTheFlag) {
       << "a quarter of a period after the start, where the mode is largest";
 }
 
+// No row of the history falls due in a short run.
+TEST_F(DnsFluid, EndsWhereItKeepsNoRow) {
+  const std::string file = case_file(
+      "[dns]\nn_rho = 16\nn_theta = 32\nwall_spacing = 0.05\ndt = 0.01\nt_end = 0.05\n"
+      "[dns.motion]\nkind = \"rigid\"\n[dns.output]\nhistory_interval = 1\n"
+      "field_interval = 1e-9\n");
+  const Outcome outcome = pennon({"dns", file, "--output", results()});
+  EXPECT_EQ(outcome.status, done) << outcome.err;
+  EXPECT_EQ(outcome.err.find("picture"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(fs::exists(results() + "/fields_00005.h5")) << "one a step, and no more";
+  EXPECT_FALSE(fs::exists(results() + "/fields_00006.h5"));
+}
+
 TEST_F(DnsFluid, KeepsToACourantNumber) {
   const std::string file = case_file(
       "[dns]\nn_rho = 24\nn_theta = 48\nwall_spacing = 0.03\ndt = 0.05\nfirst_dt = 0.0005\n"

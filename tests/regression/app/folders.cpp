@@ -119,7 +119,7 @@ TEST_F(Folders, GoOnToALaterEndAndRecordWhatChanges) {
   };
   const Outcome ended = go_on({});
   EXPECT_EQ(ended.status, bad_input);
-  EXPECT_THAT(ended.err, HasSubstr("dns.t_end: = 0.2 is reached already"));
+  EXPECT_THAT(ended.err, HasSubstr("dns.t_end = 0.2 is reached already"));
   const Outcome lighter = go_on({"--set", "dns.t_end=0.3", "--set", "flag.mu=0.5"});
   EXPECT_EQ(lighter.status, bad_input);
   EXPECT_THAT(lighter.err,

@@ -99,6 +99,18 @@ TEST(Process, SaysHowItEndedAndWhatItSaid) {
   EXPECT_FALSE(killed.is_success());
 }
 
+TEST(Process, HandsOverItsLinesAsTheyCome) {
+  std::vector<std::string> lines;
+  ChildProgram program = shell(
+      "printf 'progress: 1' >&2; sleep 0.1; printf ' of 2\\nwhat\\nprogress: 2 of 2\\nend' >&2");
+  program.takes_line = [&](std::string_view line) {
+    lines.emplace_back(line);
+    return line.starts_with("progress");
+  };
+  EXPECT_EQ(run_program(program).messages, "what\nend");
+  EXPECT_THAT(lines, testing::ElementsAre("progress: 1 of 2", "what", "progress: 2 of 2"));
+}
+
 TEST(Process, IsFoundInTheFoldersOfThePath) {
   const TemporaryFolder folder;
   test::write_text(folder / "tool", "#!/bin/sh\n");
