@@ -84,6 +84,7 @@ void run_compare(const Options& options, const std::string& run_folder) {
     std::vector<ComparedModel> rows;
     std::vector<std::string> notes;
     const std::vector<std::int64_t> all_waves = waves_of(the_case.compare, the_case.flag);
+    rows.reserve(2 * all_waves.size() + 1);
     for (const std::int64_t waves : all_waves) rows.push_back(local_row(the_case, waves));
     Progress progress("global modes", static_cast<std::int64_t>(all_waves.size()), !options.quiet);
     for (const std::int64_t waves : all_waves) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "analysis/figures/result_parts.hpp"
 #include "analysis/figures/symbol.hpp"
@@ -36,8 +35,8 @@ void add_local_theories(const hdf5::Reader& file, Figure& figure) {
   for (const auto& [array, label] : local_theories) {
     const std::string group = std::string("/local/") + array;
     if (file.contains(group + "/x")) {
-      std::vector<double> x = file.list(group + "/x"), y = file.list(group + "/y", x.size());
-      figure.lines.push_back({std::move(x), std::move(y), label, Stroke::dashed, color});
+      const std::vector<double> x = file.list(group + "/x"), y = file.list(group + "/y", x.size());
+      figure.lines.push_back({x, y, label, Stroke::dashed, color});
     }
     ++color;
   }

@@ -97,6 +97,7 @@ double mean_square(const std::vector<double>& t, const std::vector<double>& valu
                    double to) {
   const double mean = mean_of(Spline(t, values), from, to);
   std::vector<double> squares;
+  squares.reserve(values.size());
   for (const double value : values) squares.push_back((value - mean) * (value - mean));
   return mean_of(Spline(t, squares), from, to);
 }

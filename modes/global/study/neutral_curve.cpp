@@ -54,7 +54,7 @@ class Curve {
     const auto every = static_cast<std::size_t>(wanted_.scan_every);
     Progress progress(names_of_progress[0], static_cast<std::int64_t>(values_.size()), true);
     progress.begin_at(static_cast<std::int64_t>(next));
-    while (next <= last) {
+    while (so_far.next <= last) {
       stop_if_interrupted("no neutral curve was written");
       const std::size_t i = next++;
       CurvePoint& point = found[i];

@@ -42,7 +42,7 @@ std::string case_text(double mu, std::int64_t n_rho, double dt, std::vector<doub
 class Restart : public testing::Test {
  protected:
   std::filesystem::path checkpoint(const CaseOfRun& the_case, double t) {
-    const std::filesystem::path path = folder_ / "checkpoint.h5";
+    std::filesystem::path path = folder_ / "checkpoint.h5";
     hdf5::Writer file(path);
     file.attributes({{"kind", "fluid_checkpoint"}, {"t", t}});
     write(the_case, file);
