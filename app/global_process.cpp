@@ -82,8 +82,8 @@ ChildProgram global_program(std::vector<std::string> arguments, std::int64_t sha
             .takes_line = takes_progress};
   const auto mpiexec = find_program(PENNON_MPIEXEC);
   if (!mpiexec)
-    throw InputError("modes.global.ranks", fmt::format("{} ranks need {}, which is not there",
-                                                       shared_by, PENNON_MPIEXEC));
+    throw InputError("modes.global.ranks",
+                     fmt::format("= {} needs {}, which is not there", shared_by, PENNON_MPIEXEC));
   arguments.insert(arguments.begin(), {"-n", std::to_string(shared_by), program.string()});
   return {.program = *mpiexec,
           .arguments = std::move(arguments),

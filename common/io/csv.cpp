@@ -9,6 +9,8 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <map>
+#include <string_view>
 
 #include "common/errors.hpp"
 
@@ -22,9 +24,37 @@ std::string trimmed(std::string_view cell) {
   return std::string(cell.substr(begin, cell.find_last_not_of(blank) - begin + 1));
 }
 
-std::vector<std::string> cells_of(std::string_view line) {
+// The text of a quoted cell that begins with the quote at `at`, which moves behind its last one;
+// none where it is not closed.
+std::optional<std::string> quoted(std::string_view line, std::size_t& at) {
+  std::string text;
+  for (++at; at < line.size(); ++at) {
+    if (line[at] != '"') {
+      text += line[at];
+    } else if (at + 1 < line.size() && line[at + 1] == '"') {
+      text += '"';
+      ++at;
+    } else {
+      ++at;
+      return text;
+    }
+  }
+  return std::nullopt;
+}
+
+// None where a quote is not closed, or something stands between it and the next comma.
+std::optional<std::vector<std::string>> cells_of(std::string_view line) {
   std::vector<std::string> cells;
   for (std::size_t begin = 0; begin <= line.size();) {
+    std::size_t at = std::min(line.find_first_not_of(" \t", begin), line.size());
+    if (at < line.size() && line[at] == '"') {
+      const std::optional<std::string> text = quoted(line, at);
+      const std::size_t comma = std::min(line.find(',', at), line.size());
+      if (!text || !trimmed(line.substr(at, comma - at)).empty()) return std::nullopt;
+      cells.push_back(*text);
+      begin = comma + 1;
+      continue;
+    }
     const std::size_t comma = std::min(line.find(',', begin), line.size());
     cells.push_back(trimmed(line.substr(begin, comma - begin)));
     begin = comma + 1;
@@ -40,19 +70,50 @@ CsvTable::CsvTable(const std::filesystem::path& file) : file_(file.string()) {
   if (!stream) throw InputError(file_, "cannot be read");
   std::string line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     if (trimmed(line).empty() || line.front() == '#') continue;
-    std::vector<std::string> cells = cells_of(line);
+    const std::string place = fmt::format("{}:{}", file_, number);
+    std::optional<std::vector<std::string>> cells = cells_of(line);
+    if (!cells) throw InputError(place, "has a quoted cell that does not end at its second quote");
     if (names_.empty()) {
-      names_ = std::move(cells);
-    } else if (cells.size() == names_.size()) {
-      rows_.push_back({number, std::move(cells)});
+      names_ = std::move(*cells);
+      for (std::size_t k = 0; k < names_.size(); ++k)
+        if (std::find(names_.begin(), names_.begin() + static_cast<std::ptrdiff_t>(k), names_[k]) !=
+            names_.begin() + static_cast<std::ptrdiff_t>(k))
+          throw InputError(place, fmt::format("names the column {} twice", names_[k]));
+    } else if (cells->size() == names_.size()) {
+      rows_.push_back({number, std::move(*cells)});
     } else {
-      throw InputError(fmt::format("{}:{}", file_, number),
-                       fmt::format("has {} cells, but the header names {} columns", cells.size(),
-                                   names_.size()));
+      throw InputError(place, fmt::format("has {} cells, but the header names {} columns",
+                                          cells->size(), names_.size()));
     }
   }
   if (names_.empty()) throw InputError(file_, "is empty: a table begins with its column names");
+}
+
+void CsvTable::expect_only(const std::vector<std::string>& columns) const {
+  std::vector<std::string> unknown;
+  for (const std::string& name : names_)
+    if (std::ranges::find(columns, name) == columns.end()) unknown.push_back(name);
+  if (!unknown.empty())
+    throw InputError(file_, fmt::format("has columns that are not known here: {}; it must have {}",
+                                        fmt::join(unknown, ", "), fmt::join(columns, ", ")));
+}
+
+void CsvTable::expect_each_once(const std::vector<std::string>& columns,
+                                const std::string& meaning) const {
+  std::map<std::vector<double>, std::size_t> seen;
+  for (std::size_t row = 0; row < rows(); ++row) {
+    std::vector<double> numbers;
+    numbers.reserve(columns.size());
+    for (const std::string& name : columns)
+      numbers.push_back(number(row, column(name)).value_or(0));
+    const auto [first, is_new] = seen.emplace(std::move(numbers), row);
+    if (!is_new)
+      throw InputError(place(row), fmt::format("repeats {} of line {}; each stands once", meaning,
+                                               rows_[first->second].line));
+  }
 }
 
 bool CsvTable::has(const std::string& name) const {

@@ -11,10 +11,18 @@ namespace pennon {
 /// A table read from a file: cells as text, each row with the line it stands on.
 class CsvTable {
  public:
-  /// Reads comma-separated cells; lines that begin with # and empty lines are skipped, the first
-  /// other line names the columns. Throws InputError where the file cannot be read, has no header,
-  /// or has a row with another number of cells (file:line).
+  /// Reads comma-separated cells, those in double quotes with what stands between them ("" is one
+  /// quote); lines that begin with # and empty lines are skipped, the first other line names the
+  /// columns, each once. The mark with which some programs begin UTF-8 is passed over. Throws
+  /// InputError where the file cannot be read, has no header, or has a row with another number of
+  /// cells, or a quote that is not closed on its line (file:line).
   explicit CsvTable(const std::filesystem::path& file);
+
+  /// Throws InputError that lists them if the table has other columns than these.
+  void expect_only(const std::vector<std::string>& columns) const;
+  /// Throws InputError (file:line) where a row has the same numbers in these columns as an earlier
+  /// one; `meaning`: of the columns, "the place".
+  void expect_each_once(const std::vector<std::string>& columns, const std::string& meaning) const;
 
   std::size_t rows() const { return rows_.size(); }
   bool has(const std::string& name) const;

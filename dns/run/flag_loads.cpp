@@ -24,6 +24,10 @@ template <int dim>
 void add_traction(const std::filesystem::path& file, const Flag<dim>& flag,
                   NodeVectors<dim>& forces) {
   const CsvTable table(file);
+  table.expect_only(dim == 3 ? std::vector<std::string>{"x", "y", "f_x", "f_y", "f_z"}
+                             : std::vector<std::string>{"y", "f_y", "f_z"});
+  table.expect_each_once(
+      dim == 3 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"y"}, "the place");
   const auto number = [&](std::size_t row, const char* column) {
     const auto value = table.number(row, table.column(column));
     if (!value) throw InputError(table.place(row), fmt::format("{} is missing", column));

@@ -16,7 +16,8 @@ using Complex = std::complex<double>;
 constexpr const char* velocity_names[] = {"v", "w", "u"};
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
-  throw InputError("dns.initial.global_modes", fmt::format("{} {}", path.string(), what));
+  throw InputError("dns.initial.global_modes",
+                   fmt::format("names {}, which {}", path.string(), what));
 }
 
 std::string group_of(int number) {

@@ -22,10 +22,11 @@ void share_strain(const FlagMesh& mesh, int j, NodeVectors<3>& x) {
   }
   const double steepest = std::sqrt(rise_squared.maxCoeff());
   if ((steepest * steepest - rise_squared).sqrt().sum() > mesh.span())
-    throw InputError("dns.initial",
-                     fmt::format("along the span, at y = {:.3g}, the shape is steeper than the "
-                                 "flag is long; take smaller amplitudes",
-                                 mesh.y(j)));
+    throw InputError(
+        "dns.initial",
+        fmt::format("makes a shape that along the span, at y = {:.3g}, is steeper than "
+                    "the flag is long; take smaller amplitudes",
+                    mesh.y(j)));
   // The length l for which the runs (l^2 - rise^2)^1/2 add up to the span. Their sum is a concave
   // function of l, for which Newton's method comes up to it from below; a first step that leads
   // below the steepest rise is cut.
@@ -73,9 +74,10 @@ NodeVectors<dim> initial_shape(const InitialSettings& initial,
       if (run <= 0)
         throw InputError(
             "dns.initial",
-            fmt::format("the shape is steeper than the flag is long between y = {:.3g} and "
-                        "{:.3g}; take smaller amplitudes",
-                        mesh.y(j - 1), mesh.y(j)));
+            fmt::format(
+                "makes a shape that is steeper than the flag is long between y = {:.3g} and "
+                "{:.3g}; take smaller amplitudes",
+                mesh.y(j - 1), mesh.y(j)));
       node[dim - 2] = before[dim - 2] + std::sqrt(run);
     }
   if constexpr (dim == 3)

@@ -9,6 +9,8 @@ namespace pennon::modes {
 
 std::vector<Sample> read_samples(const std::filesystem::path& file, bool has_span) {
   const CsvTable table(file);
+  table.expect_only(has_span ? std::vector<std::string>{"x", "y", "zeta"}
+                             : std::vector<std::string>{"y", "zeta"});
   std::vector<InputFault> faults;
   const auto cell = [&](std::size_t row, const std::string& name) {
     const std::optional<double> number = table.number(row, table.column(name));
@@ -23,6 +25,8 @@ std::vector<Sample> read_samples(const std::filesystem::path& file, bool has_spa
     samples.push_back(sample);
   }
   if (!faults.empty()) throw InputError(std::move(faults));
+  table.expect_each_once(
+      has_span ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"y"}, "the place");
   return samples;
 }
 

@@ -82,8 +82,8 @@ class Commands : public testing::Test {
   Outcome pennon_stopped(int signal, int ranks, std::vector<std::string> arguments,
                          const std::string& folder) {
     arguments.insert(arguments.end(), {"--output", results(folder)});
-    // The seconds that mpiexec gives it to leave its files whole, and waits in any case.
-    setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 1);
+    // Open MPI passes SIGTERM on after so many seconds, and kills after as many more.
+    setenv("OMPI_MCA_odls_base_sigkill_timeout", "1", 1);
     const pid_t child =
         ranks == 1 ? start_in_background(arguments) : start_in_background_on(ranks, arguments);
     while (!std::filesystem::exists(results(folder) + "/case.resolved.toml") &&

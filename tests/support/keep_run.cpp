@@ -1,6 +1,7 @@
-/// Keeps what a coupled run said, as small data:  keep_run RUN NAME
+/// Keeps what a coupled run said, as small data:  keep_run RESULTS NAME
 ///
-/// RUN: the output folder of `pennon dns`, after `pennon analyze RUN`. Leaves, under
+/// RESULTS: the folder of a case's results, with those of `pennon dns` and `pennon analyze` in dns
+/// and analysis. Leaves, under
 /// data/reference/pennon/runs, NAME.csv (a row every 0.05 L/V: the trailing edge and its waves
 /// along the span, forces, energies), NAME.json (what the analysis found) and NAME.toml (the case
 /// that reruns it).
@@ -30,20 +31,20 @@ struct Source {
   std::vector<std::string> columns;
 };
 
-std::vector<Source> sources_of(const std::filesystem::path& run) {
+std::vector<Source> sources_of(const std::filesystem::path& results) {
   std::vector<Source> sources;
-  sources.push_back({CsvTable(run / "analysis/signal/spanwise_amplitudes.csv"), {"z_antinode"}});
+  sources.push_back({CsvTable(results / "analysis/spanwise_amplitudes.csv"), {"z_antinode"}});
   for (int n = 0; n < most_waves; ++n)
     if (const std::string zeta_n = fmt::format("zeta_{}", n); sources.back().table.has(zeta_n))
       sources.back().columns.push_back(zeta_n);
-  sources.push_back({CsvTable(run / "history.csv"), {"C_D", "C_L"}});
-  sources.push_back({CsvTable(run / "analysis/energy.csv"),
+  sources.push_back({CsvTable(results / "dns/history.csv"), {"C_D", "C_L"}});
+  sources.push_back({CsvTable(results / "analysis/energy.csv"),
                      {"fluid", "flag_kinetic", "bending", "stretch", "E_t", "defect"}});
   return sources;
 }
 
-std::string thinned(const std::filesystem::path& run) {
-  const std::vector<Source> sources = sources_of(run);
+std::string thinned(const std::filesystem::path& results) {
+  const std::vector<Source> sources = sources_of(results);
   std::vector<std::string> columns = {"t"};
   for (const Source& source : sources)
     columns.insert(columns.end(), source.columns.begin(), source.columns.end());
@@ -69,22 +70,22 @@ std::string thinned(const std::filesystem::path& run) {
 }
 
 void keep(char** argv) {
-  const std::filesystem::path run = argv[1];
+  const std::filesystem::path results = argv[1];
   const std::filesystem::path kept = test::source_folder() / "data/reference/pennon/runs";
   const std::string name = argv[2];
   std::filesystem::create_directories(kept);
-  test::write_text(kept / (name + ".csv"), thinned(run));
+  test::write_text(kept / (name + ".csv"), thinned(results));
   const auto copy = [&](const char* from, const char* ending) {
-    std::filesystem::copy_file(run / from, kept / (name + ending),
+    std::filesystem::copy_file(results / from, kept / (name + ending),
                                std::filesystem::copy_options::overwrite_existing);
   };
   copy("analysis/summary.json", ".json");
-  copy("case.resolved.toml", ".toml");
+  copy("dns/case.resolved.toml", ".toml");
 }
 
 }  // namespace
 }  // namespace pennon
 
 int main(int argc, char** argv) {
-  return pennon::test::run_tool(argc, argv, 3, "keep_run RUN NAME", pennon::keep);
+  return pennon::test::run_tool(argc, argv, 3, "keep_run RESULTS NAME", pennon::keep);
 }

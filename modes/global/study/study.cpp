@@ -75,7 +75,7 @@ OGrid grid_of(const Settings& settings) try {
                 *settings.wall_spacing, *settings.wake_clustering});
 } catch (const InputError& fault) {
   const InputFault& first = fault.faults().front();
-  throw InputError("modes.global", fmt::format("no grid: {} {}", first.where, first.what));
+  throw InputError("modes.global", fmt::format("makes no grid: {} {}", first.where, first.what));
 }
 
 Spectrum spectrum_of(const CoupledOperator& coupled, const Settings& settings,

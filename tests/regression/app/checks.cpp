@@ -69,7 +69,7 @@ TEST_F(Checks, OfTheSimulationBuildWhatItStartsWith) {
   };
   EXPECT_EQ(pennon({"dns", file, "--check"}).status, done);
   expect_refused("dns.n_rho=6", "case.toml:8: dns.wall_spacing = 0.03 does not reach dns.R");
-  expect_refused("dns.initial.A=[1.0]", "case.toml:9: dns.initial the shape is steeper");
+  expect_refused("dns.initial.A=[1.0]", "case.toml:9: dns.initial makes a shape that is steeper");
   test::write_text(folder_ / "junk.h5", "junk");
   expect_fault({"dns", file, "--check", "--set", "dns.initial.A=[]", "--set",
                 "dns.initial.mode_amplitude=1e-4", "--set",

@@ -23,7 +23,6 @@ using test::bad_input;
 using test::done;
 using test::Outcome;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 class ModesGlobal : public test::Commands {
  protected:
@@ -297,8 +296,10 @@ TEST_F(ModesGlobal, PassesOnWhatItsProgramSays) {
   const Outcome outcome =
       pennon({"modes", case_file("wall_spacing = 1e-6\n"), "--output", results()});
   EXPECT_EQ(outcome.status, bad_input);
-  EXPECT_THAT(outcome.err,
-              StartsWith("modes.global: no grid: dns.wall_spacing = 1e-06 does not reach"));
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr(
+          "case.toml:12: modes.global makes no grid: dns.wall_spacing = 1e-06 does not reach"));
 }
 
 // On a grid on which the whole takes ten seconds and more.

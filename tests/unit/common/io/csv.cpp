@@ -50,6 +50,35 @@ TEST_F(Csv, SaysWhichLineIsAtFault) {
               HasSubstr("has no column c; its columns are a, b"));
 }
 
+TEST_F(Csv, ReadsWhatSpreadsheetsWrite) {
+  const CsvTable read =
+      table("\xef\xbb\xbfname,\"mu\"\r\n\"A, \"\"first\"\"\",0.5\r\n \"\" , \"2\" \n");
+  EXPECT_EQ(read.text(0, read.column("name")), "A, \"first\"");
+  EXPECT_EQ(read.number(0, read.column("mu")), 0.5);
+  EXPECT_EQ(read.text(1, 0), "");
+  EXPECT_EQ(read.number(1, 1), 2);
+  for (const char* open : {"a,b\n\"x,1\n", "a,b\n1,\"x\n2,3\n", "a,b\n\"x\"y,1\n", "\"a,b\n"})
+    EXPECT_THAT(failure_of<InputError>([&] { table(open); }),
+                HasSubstr("has a quoted cell that does not end"))
+        << open;
+}
+
+TEST_F(Csv, RefusesColumnsThatAreNotKnownAndRowsThatAreRepeated) {
+  EXPECT_THAT(failure_of<InputError>([&] { table("a,b,a\n"); }),
+              HasSubstr("table.csv:1: names the column a twice"));
+  const CsvTable read = table("t,y,z\n0,1,2\n0.0,3,2\n1,1,2.0\n");
+  EXPECT_THAT(failure_of<InputError>([&] {
+                read.expect_only({"y", "z"});
+              }),
+              HasSubstr("has columns that are not known here: t; it must have y, z"));
+  EXPECT_NO_THROW(read.expect_only({"t", "y", "z"}));
+  EXPECT_NO_THROW(read.expect_each_once({"t", "y"}, "the place"));
+  EXPECT_THAT(failure_of<InputError>([&] {
+                read.expect_each_once({"y", "z"}, "the place");
+              }),
+              HasSubstr("table.csv:4: repeats the place of line 2; each stands once"));
+}
+
 TEST_F(Csv, SaysWhyThereIsNoTable) {
   EXPECT_THAT(failure_of<InputError>([&] { CsvTable(folder_ / "absent.csv"); }),
               HasSubstr("no such file"));

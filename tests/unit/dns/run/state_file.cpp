@@ -178,6 +178,7 @@ TEST_F(StateFile, HoldsAFlagAtItsStart) {
 TEST_F(StateFile, HoldsTheStateOfFlagAndFluid) {
   auto state = filled<CoupledState<3>>();
   state.flag.t = state.fluid.t;
+  state.flag.previous_dt = state.fluid.previous_dt;  // they step together
   constexpr double energy = 0.25;
   hdf5::Writer file(path_);
   write_state(state.fluid, fluid_, &file);
