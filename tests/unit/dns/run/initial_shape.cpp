@@ -52,7 +52,7 @@ TEST(FlagInitialShape, HasOneStrainAlongTheSpan) {
 
 TEST(FlagInitialShape, RefusesWhatIsSteeperAlongTheSpanThanTheFlagIsLong) {
   EXPECT_THAT(test::failure_of<InputError>([] { initial_shape<3>({}, ridge(0.1), mesh(24)); }),
-              testing::HasSubstr("dns.initial: along the span, at y = "));
+              testing::HasSubstr("dns.initial: makes a shape that along the span, at y = "));
 }
 
 }  // namespace
