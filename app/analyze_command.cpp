@@ -8,7 +8,6 @@
 #include "app/pictures.hpp"
 #include "app/result_folder.hpp"
 #include "app/run_of_case.hpp"
-#include "common/io/atomic_file.hpp"
 
 namespace pennon::app {
 namespace {
@@ -27,11 +26,10 @@ std::filesystem::path folder_for(const std::filesystem::path& run) {
   return (is_command_folder ? run / ".." : run) / "analysis";
 }
 
-std::string text_of(const analysis::RunAnalysis& found, const std::filesystem::path& run,
-                    const OutputFolder& folder) {
+std::string text_of(const analysis::RunAnalysis& found, const std::filesystem::path& run) {
   std::string text = fmt::format("{}\n{}", run.string(), analysis::text_of(found));
   for (const std::string& note : found.notes()) text += fmt::format("  {}\n", note);
-  return text + fmt::format("  results in {}\n", folder.path().string());
+  return text;
 }
 
 }  // namespace
@@ -63,14 +61,8 @@ void run_analyze(const AnalyzeOptions& options) {
     const auto timer = record.time("pictures");
     draw_pictures([&] { analysis::draw_run(found, folder.path()); });
   }
-  results.remove_older_files();
-  record.write(folder / "record.json", 1);
-  const nlohmann::ordered_json answer{{"analyze", to_json(found)}};
-  write_file(folder / "summary.json", answer.dump(2) + "\n");
-  if (options.json)
-    print(answer.dump() + "\n");
-  else if (!options.quiet)
-    print(text_of(found, run, folder));
+  finish(results, record, {{{"analyze", to_json(found)}}, text_of(found, run)}, options.json,
+         options.quiet);
 }
 
 }  // namespace pennon::app

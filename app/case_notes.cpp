@@ -32,9 +32,8 @@ void add_modes_notes(const Case& the_case, Notes& notes) {
         "hanging_chain, which are of membranes; modes.normal.family = \"in_vacuo\" has both");
   if (!the_case.has_flow)
     notes.emplace_back(
-        "without [flow] no friction pulls the flag along its chord, so that the families bessel "
-        "and "
-        "hanging_chain have omega = 0");
+        "without [flow] no friction pulls the flag along its chord, so that the families "
+        "bessel and hanging_chain have omega = 0");
 }
 
 void add_flow_notes(const Case& the_case, Notes& notes) {
@@ -58,8 +57,7 @@ void add_flag_notes(const Case& the_case, Notes& notes) {
       !has_nonzero({gravity.begin(), gravity.end()}))
     notes.emplace_back(
         "the flag starts at rest and nothing acts on it: it stays there; [dns.initial], "
-        "[dns.loads] "
-        "or flag.gravity move it");
+        "[dns.loads] or flag.gravity move it");
 }
 
 }  // namespace

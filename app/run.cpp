@@ -25,6 +25,18 @@ void print(const std::string& text) {
                     std::generic_category().message(errno));
 }
 
+void finish(const ResultFolder& folder, const Record& record, const Answer& answer, bool as_json,
+            bool quietly) {
+  folder.remove_older_files();
+  const std::filesystem::path& path = folder.output().path();
+  record.write(path / "record.json", ranks::count());
+  write_file(path / "summary.json", answer.json.dump(2) + "\n");
+  if (as_json)
+    print(answer.json.dump() + "\n");
+  else if (!quietly)
+    print(fmt::format("{}  results in {}\n", answer.text, path.string()));
+}
+
 void expect_one_rank(const std::string& command) {
   if (ranks::count() > 1)
     throw InputError("mpiexec",
@@ -63,14 +75,7 @@ void run(const Command& command, const Case& the_case, const Options& options, R
   if (!ranks::is_leading()) return;
   for (const std::string& note : notes) answer.text += fmt::format("  note: {}\n", note);
   if (!notes.empty()) answer.json["notes"] = notes;
-  folder.remove_older_files();
-  const std::filesystem::path& path = folder.output().path();
-  record.write(path / "record.json", ranks::count());
-  write_file(path / "summary.json", answer.json.dump(2) + "\n");
-  if (options.json)
-    print(answer.json.dump() + "\n");
-  else if (!options.quiet)
-    print(fmt::format("{}  results in {}\n", answer.text, path.string()));
+  finish(folder, record, answer, options.json, options.quiet);
 }
 
 }  // namespace

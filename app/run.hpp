@@ -43,6 +43,10 @@ struct Command {
   std::function<std::optional<std::filesystem::path>()> checkpoint = {};
 };
 
+/// What every command leaves at its end, and says: removes what an earlier run of the case left
+/// behind, writes record.json and summary.json, and prints the answer.
+void finish(const ResultFolder&, const Record&, const Answer&, bool as_json, bool quietly);
+
 /// Throws InputError where mpiexec has started several ranks of a command that runs on one.
 void expect_one_rank(const std::string& command);
 

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "common/errors.hpp"
+#include "common/io/running_process.hpp"
 
 namespace pennon {
 namespace {
@@ -80,7 +80,7 @@ void remove_stale_temporaries(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> stale;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const pid_t process = process_of(entry.path().filename().string());
-    if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) stale.push_back(entry.path());
+    if (process > 0 && !is_running(process)) stale.push_back(entry.path());
   }
   for (const std::filesystem::path& file : stale) std::filesystem::remove(file, ignored);
 }

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -14,6 +13,7 @@
 #include <system_error>
 
 #include "common/errors.hpp"
+#include "common/io/running_process.hpp"
 
 namespace pennon {
 namespace {
@@ -35,10 +35,6 @@ Holder holder_in(int descriptor) {
   Holder holder;
   if (count > 0) std::istringstream(text.data()) >> holder.process >> holder.host;
   return holder;
-}
-
-bool is_running(pid_t process) {
-  return process > 0 && (kill(process, 0) == 0 || errno != ESRCH);
 }
 
 // Whether the path still leads to the file that is open: its holder may have removed it since.

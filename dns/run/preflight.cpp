@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <limits>
-#include <string>
 
+#include "common/available_memory.hpp"
 #include "common/errors.hpp"
 #include "dns/coupling/coupling.hpp"
 #include "dns/flag/of_case.hpp"
@@ -16,21 +15,12 @@
 namespace pennon::dns {
 namespace {
 
-// Infinity where the system does not say.
-double free_bytes() {
-  std::ifstream file("/proc/meminfo");
-  for (std::string word; file >> word;) {
-    double kilobytes = 0;
-    if (word == "MemAvailable:" && file >> kilobytes) return 1024 * kilobytes;
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
 void expect_memory(const Settings& settings, const FlagParameters& flag) {
   const double cells = static_cast<double>(settings.fluid.n_rho) *
                        static_cast<double>(settings.fluid.n_theta) *
                        (flag.gamma ? static_cast<double>(settings.n_x) : 1.0);
-  const double needed = memory_of_fluid(cells), there = free_bytes();
+  const double needed = memory_of_fluid(cells),
+               there = available_memory().value_or(std::numeric_limits<double>::infinity());
   constexpr double gigabyte = 1e9;
   if (needed > there)
     throw InputError("dns.n_rho",

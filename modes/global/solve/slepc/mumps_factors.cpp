@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
 
+#include "common/available_memory.hpp"
 #include "common/errors.hpp"
 #include "common/parallel/ranks.hpp"
 #include "common/petsc/petsc.hpp"
@@ -111,14 +111,11 @@ Order exchanged(Order order) {
   return {static_cast<Task>(numbers[0]), numbers[1], numbers[2]};
 }
 
-// Of this machine, in MB; none where the system does not say.
-std::optional<double> available_memory() {
-  std::ifstream file("/proc/meminfo");
-  std::string word;
-  double kilobytes = 0;
-  while (file >> word)
-    if (word == "MemAvailable:" && file >> kilobytes) return kilobytes / 1024;
-  return std::nullopt;
+// As MUMPS counts; none where the system does not say.
+std::optional<double> available_megabytes() {
+  constexpr double megabyte = 1 << 20;
+  const std::optional<double> bytes = available_memory();
+  return bytes ? std::optional(*bytes / megabyte) : std::nullopt;
 }
 
 class MumpsFactors final : public SparseFactors {
@@ -163,7 +160,7 @@ class MumpsFactors final : public SparseFactors {
     const auto size = static_cast<PetscInt>(rows.rows());
     exchanged({Task::analyse, number_, size});
     part_.analyse(rows, size);
-    const std::optional<double> available = available_memory();
+    const std::optional<double> available = available_megabytes();
     is_good_ = !available || part_.info(megabytes_of_all) < *available;
     if (!is_good_) refuse(available);
   }
