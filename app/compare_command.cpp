@@ -33,9 +33,10 @@ ComparedModel local_row(const Case& the_case, std::int64_t waves) {
   return row;
 }
 
-// The mode that grows most, of either direction along the span, of a flag with as many spanwise
-// nodes as the simulation's.
-ComparedModel global_row(const Case& the_case, std::int64_t waves, const OutputFolder& folder) {
+// The mode of flag or wake that grows most, of either direction along the span, of a flag with as
+// many spanwise nodes as the simulation's.
+ComparedModel global_row(const Case& the_case, std::int64_t waves, const OutputFolder& folder,
+                         std::vector<std::string>& notes) {
   const StopWatch watch;
   modes::global::Settings settings = the_case.global_modes;
   settings.k_x = k_x_of(waves, the_case.flag);
@@ -46,9 +47,21 @@ ComparedModel global_row(const Case& the_case, std::int64_t waves, const OutputF
   const OutputFolder its_own(folder / fmt::format("global_{}", waves));
   const modes::global::Problem problem(the_case.flag, the_case.flow, settings);
   const modes::global::Findings found = solve_global_modes(problem, its_own, false);
+  ComparedModel row{.model = "global", .waves = waves, .wall_seconds = watch.seconds()};
+  if (found.spectrum.converged == 0) {
+    notes.push_back(fmt::format(
+        "all global modes found with {} waves along the span belong to the box in which the flow "
+        "is "
+        "computed; a larger modes.global.R, or modes.global.target, may find the flag's",
+        waves));
+    return row;
+  }
+  // Those of the box are behind the others.
   const std::complex<double> lambda = found.spectrum.modes.front().lambda;
-  const double growth = lambda.real(), frequency = lambda.imag() / (2 * std::numbers::pi);
-  ComparedModel row{"global", waves, growth, std::abs(frequency), growth > 0, watch.seconds()};
+  const double frequency = lambda.imag() / (2 * std::numbers::pi);
+  row.growth = lambda.real();
+  row.frequency = std::abs(frequency);
+  row.is_unstable = *row.growth > 0;
   // exp(i (k_x x + 2 pi f t)): with f < 0 towards positive x.
   if (waves > 0 && the_case.flow.U != 0) row.travels_with_U = frequency * the_case.flow.U < 0;
   return row;
@@ -89,7 +102,7 @@ void run_compare(const Options& options, const std::string& run_folder) {
     Progress progress("global modes", static_cast<std::int64_t>(all_waves.size()), !options.quiet);
     for (const std::int64_t waves : all_waves) {
       const auto timer = record.time("global modes");
-      rows.push_back(global_row(the_case, waves, folder));
+      rows.push_back(global_row(the_case, waves, folder, notes));
       progress.advance_to(static_cast<std::int64_t>(rows.size()) -
                           static_cast<std::int64_t>(all_waves.size()));
     }

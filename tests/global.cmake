@@ -7,12 +7,14 @@ pennon_test(test_global
     unit/modes/global/neutral/neutral.cpp
     unit/modes/global/study/both_signs.cpp
     unit/modes/global/study/fields.cpp
+    unit/modes/global/study/mode_kinds.cpp
     unit/modes/global/study/neutral_curve.cpp
     unit/modes/global/study/reports.cpp
     unit/modes/global/study/wire.cpp
   SEPARATE
     unit/modes/global/neutral/neutral.cpp
     unit/modes/global/study/fields.cpp
+    unit/modes/global/study/mode_kinds.cpp
     unit/modes/global/study/neutral_curve.cpp
   LINK pennon::modes_global_matrix_free pennon::modes_normal Boost::headers GTest::gmock)
 pennon_test(test_global_verification

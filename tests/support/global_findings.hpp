@@ -17,7 +17,11 @@ inline modes::global::Findings global_findings() {
   spectrum.chord = {0, 0.5, 1};
   spectrum.unknowns = 12345678901;
   spectrum.requested = 3;
-  spectrum.converged = 2;
+  spectrum.converged = 1;
+  spectrum.searched = 12;
+  spectrum.box = 7;
+  spectrum.too_fast = 3;
+  spectrum.checked = 4;
   spectrum.biorthogonality_defect = 1e-11;
   spectrum.base_seconds = 1.5;
   spectrum.operator_seconds = 2.5;
@@ -25,6 +29,9 @@ inline modes::global::Findings global_findings() {
   spectrum.modes.push_back(
       {{0.4, 2.6}, 1e-12, {0, {0.3, -0.1}, 1}, 2e-12, Sensitivity{{1, 2}, {3, 4}, {5, 6}, {7, 8}}});
   spectrum.modes.push_back({{-0.2, -5.1}, 3e-12, {0, {0, 1}, {-0.5, 0.25}}, 0, std::nullopt});
+  spectrum.modes[0].shares = {.flag = 0.1, .near = 0.5, .wake = 0.3, .outer = 0.1};
+  spectrum.modes[1].shares = {.flag = 0.01, .near = 0.04, .wake = 0.15, .outer = 0.8};
+  spectrum.modes[1].kind = ModeKind::box;
 
   NeutralMode low{.omega = 2.7, .mu = 0.11, .by_mu = {0.9, -0.3}, .zeta = {}, .evaluations = 4},
       high{.omega = -8.1, .mu = 0.42, .by_mu = {-0.7, 0.2}, .zeta = {}, .evaluations = 6};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <complex>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -29,11 +30,15 @@ Json to_json(const Sensitivity& sensitivity) {
           {"ln_tension", parts(sensitivity.tension)}};
 }
 
+Json to_json(const EnergyShares& shares) {
+  return {
+      {"flag", shares.flag}, {"near", shares.near}, {"wake", shares.wake}, {"outer", shares.outer}};
+}
+
 Json to_json(const GlobalMode& mode) {
-  Json json = {{"growth", mode.lambda.real()},
-               {"omega", mode.lambda.imag()},
-               {"frequency", frequency(mode)},
-               {"residual", mode.residual}};
+  Json json = {{"growth", mode.lambda.real()}, {"omega", mode.lambda.imag()},
+               {"frequency", frequency(mode)}, {"residual", mode.residual},
+               {"kind", name(mode.kind)},      {"shares", to_json(mode.shares)}};
   if (mode.sensitivity) {
     json["adjoint_residual"] = mode.adjoint_residual;
     json["sensitivity"] = to_json(*mode.sensitivity);
@@ -43,10 +48,19 @@ Json to_json(const GlobalMode& mode) {
 
 // The spectrum.
 std::string table_of_modes(const FoundModes& found) {
-  CsvText table("global modes exp(lambda t): growth and angular frequency in V/L",
-                {"growth", "omega", "frequency", "residual"});
-  for (const GlobalMode& mode : found.modes)
-    table.row({mode.lambda.real(), mode.lambda.imag(), frequency(mode), mode.residual});
+  CsvText table(
+      "global modes exp(lambda t): growth and angular frequency in V/L; what each belongs to, "
+      "modes "
+      "of the box, which move with its size, last; shares of its energy: the flag's, the fluid's "
+      "near it, in the wake (y > 1.5) and outside (r > R/2)",
+      {"kind", "growth", "omega", "frequency", "residual", "share_flag", "share_near", "share_wake",
+       "share_outer"});
+  for (const GlobalMode& mode : found.modes) {
+    const auto& [flag, near, wake, outer] = mode.shares;
+    table.row({mode.lambda.real(), mode.lambda.imag(), frequency(mode), mode.residual, flag, near,
+               wake, outer},
+              {name(mode.kind)});
+  }
   return table.text();
 }
 
@@ -72,6 +86,18 @@ std::string table_of_shapes(const FoundModes& found) {
   return table.text();
 }
 
+std::string line_of(const GlobalMode& mode) {
+  const auto& [flag, near, wake, outer] = mode.shares;
+  return fmt::format(
+      " {:11.6g} {:11.6g} {:11.6g}   {:.1e}      {:8.1e} {:7.1e} {:7.1e} {:7.1e}{}\n",
+      mode.lambda.real(), mode.lambda.imag(), frequency(mode), mode.residual, flag, near, wake,
+      outer, mode.kind == ModeKind::wake ? "  (wake)" : "");
+}
+
+constexpr const char* residual_is_no_error =
+    "  A small residual says that a mode is one of this grid, not that the grid is fine enough:\n"
+    "  compare with more cells (n_rho, n_theta).\n";
+
 }  // namespace
 
 Json to_json(const FoundModes& found) {
@@ -80,7 +106,11 @@ Json to_json(const FoundModes& found) {
                  {"tension_leading_edge", found.base_flow.tension.front()},
                  {"residual", found.base_flow.residual}}},
                {"requested", found.requested},
-               {"converged", found.converged}};
+               {"converged", found.converged},
+               {"searched", found.searched},
+               {"box", found.box},
+               {"too_fast", found.too_fast},
+               {"checked_in_larger_box", found.checked}};
   if (found.biorthogonality_defect) json["biorthogonality_defect"] = *found.biorthogonality_defect;
   json["modes"] = Json::array();
   for (const GlobalMode& mode : found.modes) json["modes"].push_back(to_json(mode));
@@ -94,13 +124,37 @@ void write_tables(const FoundModes& found, const OutputFolder& folder) {
 
 std::string text_of(const FoundModes& found) {
   std::string text = fmt::format(
-      "  global modes: {} of {} converged; steady flow: drag coefficient {:.6g}, tension at the "
-      "leading edge {:.6g}\n      growth       omega   frequency  residual\n",
+      "  global modes: {} of {} found; steady flow: drag coefficient {:.6g}, tension at the "
+      "leading edge {:.6g}\n",
       found.converged, found.requested, found.base_flow.drag_coefficient,
       found.base_flow.tension.front());
-  for (const GlobalMode& mode : found.modes)
-    text += fmt::format(" {:11.6g} {:11.6g} {:11.6g}   {:.1e}\n", mode.lambda.real(),
-                        mode.lambda.imag(), frequency(mode), mode.residual);
+  const char* heading =
+      "      growth       omega   frequency  residual  energy: flag    near    wake   outer\n";
+  if (found.converged > 0) text += heading;
+  const auto is_of_box = [](const GlobalMode& mode) { return mode.kind == ModeKind::box; };
+  const auto first_of_box = std::ranges::find_if(found.modes, is_of_box);
+  for (auto mode = found.modes.begin(); mode != first_of_box; ++mode) text += line_of(*mode);
+  if (found.converged > 0) text += residual_is_no_error;
+  if (found.converged < found.requested)
+    text += fmt::format(
+        "  {} of those asked for are not among the {} next to each target: modes.global.target "
+        "says "
+        "where to look\n",
+        found.requested - found.converged, found.searched);
+  if (found.box > 0) {
+    text += fmt::format(
+        "  {} more belong to the box in which the flow is computed: they move by more than 5 % "
+        "when\n"
+        "  R grows by half, and say nothing about the flag{}\n",
+        found.box, first_of_box == found.modes.end() ? "" : ":");
+    if (first_of_box != found.modes.end()) text += heading;
+    for (auto mode = first_of_box; mode != found.modes.end(); ++mode) text += line_of(*mode);
+  }
+  if (found.too_fast > 0)
+    text += fmt::format(
+        "  {} eigenvalues with |lambda| dt > 1 are left out: they are not modes of the "
+        "simulation\n",
+        found.too_fast);
   return text;
 }
 

@@ -9,9 +9,10 @@
 
 namespace pennon::modes::global {
 
-/// The value of "global" in summary.json: base_flow, requested, converged, modes with growth,
-/// omega, frequency, residual; with adjoints biorthogonality_defect, adjoint_residual and
-/// sensitivity.
+/// The value of "global" in summary.json: base_flow, requested, converged, how many were searched
+/// next to a target, modes of the box found, left out as too fast and checked in a larger box,
+/// modes with growth, omega, frequency, residual, kind and shares; with adjoints
+/// biorthogonality_defect, adjoint_residual and sensitivity.
 nlohmann::ordered_json to_json(const FoundModes&);
 
 /// Writes global_modes.csv, the spectrum, and global_shapes.csv, the flag in each mode. Throws

@@ -197,11 +197,8 @@ class Curve {
 
   void verify(const Linearisation& linearised, CurvePoint& point) const {
     const NeutralMode& neutral = point.modes.front().mode;
-    Settings leading = settings_;
-    leading.target.clear();
-    leading.adjoint = false;
-    leading.n_modes = modes_verified;
-    const Spectrum spectrum = spectrum_of(linearised.with_mass_ratio(neutral.mu), leading, solve_);
+    const Spectrum spectrum =
+        leading_pairs(linearised.with_mass_ratio(neutral.mu), modes_verified, solve_);
     for (const Eigenpair& pair : spectrum.pairs) {
       point.largest_growth =
           std::max(point.largest_growth.value_or(pair.lambda.real()), pair.lambda.real());

@@ -5,12 +5,9 @@
 #include <array>
 #include <optional>
 
-#include "modes/global/equations/coupled_operator.hpp"
-#include "modes/global/solve/eigen_solver.hpp"
-#include "modes/global/solve/sensitivity.hpp"
-#include "modes/global/solve/spectrum.hpp"
+#include "modes/global/study/coupled_problem.hpp"
 #include "modes/global/study/mode_fields.hpp"
-#include "modes/global/study/settings.hpp"
+#include "modes/global/study/mode_kind.hpp"
 
 namespace pennon::modes::global {
 
@@ -23,6 +20,8 @@ struct GlobalMode {
   std::vector<std::complex<double>> zeta = {};  ///< at the nodes of the flag, 1 where it is largest
   double adjoint_residual = 0;
   std::optional<Sensitivity> sensitivity = {};  ///< where adjoints were asked for
+  EnergyShares shares = {};
+  ModeKind kind = ModeKind::flag;
 };
 
 /// What is told of the steady flow.
@@ -37,9 +36,13 @@ struct FoundModes {
   BaseFlowSummary base_flow = {};
   std::vector<double> chord = {};  ///< y of the flag's nodes
   Eigen::Index unknowns = 0;
-  int requested = 0, converged = 0;  ///< pairs asked for (Spectrum::requested) and found
+  int requested = 0, converged = 0;  ///< modes of flag and wake asked for and found
+  int searched = 0;                  ///< pairs that were computed next to each target
+  int box = 0;                       ///< modes of the box that were found, listed or not
+  int too_fast = 0;                  ///< eigenvalues with |lambda| dt > 1, which are left out
+  int checked = 0;                   ///< modes that were computed once more with a larger R
   std::optional<double> biorthogonality_defect = {};
-  std::vector<GlobalMode> modes = {};  ///< the converged ones, by falling growth rate
+  std::vector<GlobalMode> modes = {};  ///< by falling growth rate, those of the box last
   double base_seconds = 0, operator_seconds = 0, eigen_seconds = 0;
 };
 
@@ -53,16 +56,6 @@ struct Result {
   FoundModes found = {};
   FieldsOfModes fields = {};  ///< of the modes found
 };
-
-/// The flow in a plane that the settings, which are resolved, ask for.
-PlaneParameters plane_parameters(const FlowParameters&, const Settings&);
-
-/// Throws InputError where the settings, which are resolved, make no grid.
-OGrid grid_of(const Settings&);
-
-/// The n_modes pairs next to each target, each once; without a target the leading ones of several
-/// points along the axis of the angular frequency, on both sides where they differ.
-Spectrum spectrum_of(const CoupledOperator&, const Settings&, const EigenSolver&);
 
 /// What the settings ask for. Precondition: they are resolved. Throws SolverError.
 Result run(const FlagParameters&, const FlowParameters&, const Settings&, const EigenSolver&);

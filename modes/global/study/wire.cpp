@@ -45,23 +45,37 @@ void members(auto& wire, Is<Sensitivity> auto& of) {
   wire("ln_tension", tension);
 }
 
+void members(auto& wire, Is<EnergyShares> auto& of) {
+  auto& [flag, near, wake, outer] = of;
+  wire("flag", flag);
+  wire("near", near);
+  wire("wake", wake);
+  wire("outer", outer);
+}
+
 void members(auto& wire, Is<GlobalMode> auto& of) {
-  auto& [lambda, residual, zeta, adjoint_residual, sensitivity] = of;
+  auto& [lambda, residual, zeta, adjoint_residual, sensitivity, shares, kind] = of;
   wire("growth", "omega", lambda);
   wire("residual", residual);
   wire("zeta", zeta);
   wire("adjoint_residual", adjoint_residual);
   wire("sensitivity", sensitivity);
+  wire("shares", shares);
+  wire("kind", kind);
 }
 
 void members(auto& wire, Is<FoundModes> auto& of) {
-  auto& [base_flow, chord, unknowns, requested, converged, biorthogonality_defect, modes,
-         base_seconds, operator_seconds, eigen_seconds] = of;
+  auto& [base_flow, chord, unknowns, requested, converged, searched, box, too_fast, checked,
+         biorthogonality_defect, modes, base_seconds, operator_seconds, eigen_seconds] = of;
   wire("base_flow", base_flow);
   wire("y", chord);
   wire("unknowns", unknowns);
   wire("requested", requested);
   wire("converged", converged);
+  wire("searched", searched);
+  wire("box", box);
+  wire("too_fast", too_fast);
+  wire("checked", checked);
   wire("biorthogonality_defect", biorthogonality_defect);
   wire("modes", modes);
   wire("base_flow_s", base_seconds);
@@ -153,13 +167,23 @@ void members(auto& wire, Is<MapProgress> auto& of) {
   wire("next", next);
 }
 
-CurveParameter parameter_named(const Json& word) {
-  static const Json known = [] {
-    Json json;
-    for (const CurveParameter each : curve_parameters) json[name(each)] = static_cast<int>(each);
-    return json;
-  }();
-  return static_cast<CurveParameter>(known.at(word.get<std::string>()).get<int>());
+// An enum crosses by its name.
+template <class Value>
+concept Named = std::same_as<Value, CurveParameter> || std::same_as<Value, ModeKind>;
+
+template <Named Value>
+const auto& all_of() {
+  if constexpr (std::same_as<Value, CurveParameter>)
+    return curve_parameters;
+  else
+    return mode_kinds;
+}
+
+template <Named Value>
+Value value_named(const Json& word) {
+  Json known;
+  for (const Value each : all_of<Value>()) known[name(each)] = static_cast<int>(each);
+  return static_cast<Value>(known.at(word.get<std::string>()).template get<int>());
 }
 
 template <class Value>
@@ -177,7 +201,7 @@ class Writer {
       return std::isnan(value) ? Json() : Json(value);
     } else if constexpr (std::integral<Value> || Word<Value>) {
       return value;
-    } else if constexpr (std::same_as<Value, CurveParameter>) {
+    } else if constexpr (Named<Value>) {
       return name(value);
     } else if constexpr (std::same_as<Value, Complex>) {
       return Json::array({code(value.real()), code(value.imag())});
@@ -221,8 +245,8 @@ class Reader {
         value = json.is_null() ? std::numeric_limits<Value>::quiet_NaN() : json.get<Value>();
     } else if constexpr (std::integral<Value> || Word<Value>) {
       value = json.get<Value>();
-    } else if constexpr (std::same_as<Value, CurveParameter>) {
-      value = parameter_named(json);
+    } else if constexpr (Named<Value>) {
+      value = value_named<Value>(json);
     } else if constexpr (std::same_as<Value, Complex>) {
       value = {number(json.at(0)), number(json.at(1))};
     } else if constexpr (Sequence<Value>) {

@@ -32,16 +32,34 @@ std::vector<std::string> keys_of(const Json& json) {
 
 TEST(GlobalModesReport, GivesTheJsonThatScriptsRelyOn) {
   const Json json = to_json(global_findings().spectrum);
-  EXPECT_THAT(keys_of(json), ElementsAre("base_flow", "requested", "converged",
-                                         "biorthogonality_defect", "modes"));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("base_flow", "requested", "converged", "searched", "box", "too_fast",
+                          "checked_in_larger_box", "biorthogonality_defect", "modes"));
   EXPECT_THAT(keys_of(json["base_flow"]),
               ElementsAre("drag_coefficient", "tension_leading_edge", "residual"));
   EXPECT_EQ(json["base_flow"]["tension_leading_edge"], 0.05);
-  EXPECT_THAT(keys_of(json["modes"][0]), ElementsAre("growth", "omega", "frequency", "residual",
-                                                     "adjoint_residual", "sensitivity"));
+  EXPECT_THAT(keys_of(json["modes"][0]),
+              ElementsAre("growth", "omega", "frequency", "residual", "kind", "shares",
+                          "adjoint_residual", "sensitivity"));
+  EXPECT_EQ(json["modes"][0]["kind"], "flag");
+  EXPECT_EQ(json["modes"][1]["kind"], "box");
+  EXPECT_EQ(json["modes"][1]["shares"],
+            Json({{"flag", 0.01}, {"near", 0.04}, {"wake", 0.15}, {"outer", 0.8}}));
   EXPECT_EQ(json["modes"][0]["frequency"], 2.6 / (2 * std::numbers::pi));
   EXPECT_EQ(json["modes"][0]["sensitivity"]["ln_tension"], Json({7.0, 8.0}));
-  EXPECT_THAT(keys_of(json["modes"][1]), ElementsAre("growth", "omega", "frequency", "residual"));
+  EXPECT_THAT(keys_of(json["modes"][1]),
+              ElementsAre("growth", "omega", "frequency", "residual", "kind", "shares"));
+}
+
+TEST(GlobalModesReport, ListsTheModesOfTheBoxApart) {
+  const std::string text = text_of(global_findings().spectrum);
+  const std::size_t of_flag = text.find("2.6 "), box = text.find("7 more belong to the box"),
+                    of_box = text.find("-5.1 ");
+  ASSERT_NE(of_box, std::string::npos);
+  EXPECT_LT(of_flag, box);
+  EXPECT_LT(box, of_box);
+  EXPECT_THAT(text, HasSubstr("2 of those asked for are not among the 12 next to each target"));
+  EXPECT_THAT(text, HasSubstr("3 eigenvalues with |lambda| dt > 1 are left out"));
 }
 
 TEST(GlobalModesReport, TabulatesTheFlagAtThePhases) {

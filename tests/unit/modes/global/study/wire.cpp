@@ -52,6 +52,10 @@ TEST(GlobalWire, CarriesTheSpectrum) {
   EXPECT_EQ(found.unknowns, expected.unknowns);
   EXPECT_EQ(found.requested, expected.requested);
   EXPECT_EQ(found.converged, expected.converged);
+  EXPECT_EQ(found.searched, expected.searched);
+  EXPECT_EQ(found.box, expected.box);
+  EXPECT_EQ(found.too_fast, expected.too_fast);
+  EXPECT_EQ(found.checked, expected.checked);
   EXPECT_EQ(found.biorthogonality_defect, expected.biorthogonality_defect);
   EXPECT_EQ(found.base_seconds, expected.base_seconds);
   EXPECT_EQ(found.operator_seconds, expected.operator_seconds);
@@ -63,6 +67,11 @@ TEST(GlobalWire, CarriesTheSpectrum) {
     EXPECT_EQ(mode.residual, other.residual);
     EXPECT_EQ(mode.zeta, other.zeta);
     EXPECT_EQ(mode.adjoint_residual, other.adjoint_residual);
+    EXPECT_EQ(mode.kind, other.kind);
+    EXPECT_EQ(mode.shares.flag, other.shares.flag);
+    EXPECT_EQ(mode.shares.near, other.shares.near);
+    EXPECT_EQ(mode.shares.wake, other.shares.wake);
+    EXPECT_EQ(mode.shares.outer, other.shares.outer);
   }
   const Sensitivity &of = *found.modes[0].sensitivity, &other = *expected.modes[0].sensitivity;
   EXPECT_EQ(of.mu, other.mu);
