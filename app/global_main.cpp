@@ -17,6 +17,7 @@
 #include "modes/global/solve/slepc/mumps_factors.hpp"
 #include "modes/global/study/fields_file.hpp"
 #include "modes/global/study/kept_pieces.hpp"
+#include "modes/global/study/mode_frames.hpp"
 #include "modes/global/study/wire.hpp"
 
 namespace {
@@ -41,6 +42,7 @@ void solve(const std::filesystem::path& problem_file, const std::filesystem::pat
   const global::EigenSolver eigenpairs = global::coupled_eigensolver(global::mumps_factors());
   global::Result result = global::run(flag, flow, settings, eigenpairs);
   if (!result.found.modes.empty()) write_fields(result, result_file.parent_path());
+  global::write_frames(result, static_cast<int>(settings.frames), result_file.parent_path());
   global::Findings findings{.spectrum = std::move(result.found)};
   global::KeptPieces pieces(result_file.parent_path() / "global_pieces.json",
                             resolved_text(problem.schema));

@@ -39,7 +39,9 @@ SectionArrays section_arrays(const hdf5::Reader& file, const std::string& array)
     if (count == 0) file.fail(fmt::format("has no values in {}", array));
     corners.push_back(count + 1);
   }
-  corners.push_back(has_planes ? 3 : 2);
+  // Planes of earlier versions have no x.
+  const hdf5::Shape points = file.shape("/points");
+  corners.push_back(!has_planes && !points.empty() && points.back() == 2 ? 2 : 3);
   return {file.read("/points", corners), file.read(array)};
 }
 

@@ -57,15 +57,13 @@ hsize_t components(const Source& source, const hdf5::Shape& places) {
 
 std::string text_of(const Grid& grid, const std::string& name) {
   assert(grid.nodes.size() == 2 || grid.nodes.size() == 3);
-  const hsize_t coordinates = components(grid.points, grid.nodes);
-  assert(coordinates == 2 || coordinates == 3);
+  assert(components(grid.points, grid.nodes) == 3);
   std::string text = fmt::format(
       "      <Grid Name=\"{}\" GridType=\"Uniform\">\n"
       "        <Time Value=\"{}\"/>\n"
       "        <Topology TopologyType=\"{}DSMesh\" Dimensions=\"{}\"/>\n"
-      "        <Geometry GeometryType=\"{}\">{}</Geometry>\n",
-      escaped(name), grid.time, grid.nodes.size(), fmt::join(grid.nodes, " "),
-      coordinates == 3 ? "XYZ" : "XY", item(grid.points));
+      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
+      escaped(name), grid.time, grid.nodes.size(), fmt::join(grid.nodes, " "), item(grid.points));
   for (const Attribute& attribute : grid.attributes) {
     const bool is_of_nodes = attribute.center == Center::node;
     const hsize_t numbers =

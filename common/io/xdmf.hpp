@@ -34,7 +34,7 @@ struct Attribute {
 struct Grid {
   double time = 0;
   hdf5::Shape nodes;  ///< along each direction
-  Source points;      ///< x, y, z of each node; x, y on a plane
+  Source points;      ///< x, y, z of each node
   std::vector<Attribute> attributes;
 };
 

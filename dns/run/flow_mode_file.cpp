@@ -102,7 +102,10 @@ class ModeReader {
   }
 
   void expect_grid() const {
-    const hdf5::Array points = file_.read("/points", {hdf5::any, hdf5::any, 2});
+    // x, y, z; files of earlier versions have no x.
+    const hdf5::Shape shape = file_.shape("/points");
+    const hsize_t numbers = !shape.empty() && shape.back() == 2 ? 2 : 3;
+    const hdf5::Array points = file_.read("/points", {hdf5::any, hdf5::any, numbers});
     const auto rows = static_cast<hsize_t>(plane_.n_rho), columns = points.shape[1] - 1;
     if (points.shape[0] - 1 != rows || columns != static_cast<hsize_t>(plane_.n_theta))
       fail(fmt::format("was made on {} x {} cells; here they are {} x {} (dns.n_rho, dns.n_theta)",
@@ -111,9 +114,10 @@ class ModeReader {
     double largest = 0;
     for (int j = 0; j <= plane_.n_rho; ++j)
       for (int i = 0; i < plane_.n_theta; ++i) {
-        const std::size_t k =
-            2 * (static_cast<std::size_t>(j) * points.shape[1] + static_cast<std::size_t>(i));
-        const Complex there(points.values[k], points.values[k + 1]);
+        const std::size_t corner =
+            static_cast<std::size_t>(j) * points.shape[1] + static_cast<std::size_t>(i);
+        const double* end = points.values.data() + (corner + 1) * numbers;
+        const Complex there(end[-2], end[-1]);
         largest = std::max(largest, std::abs(there - OGrid::place(grid.rho(j), grid.theta(i))));
       }
     constexpr double rounding = 1e-9;

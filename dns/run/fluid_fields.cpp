@@ -63,15 +63,11 @@ struct Shapes {
     if (has_span) cells.insert(cells.begin(), static_cast<hsize_t>(fluid.span().planes()));
     for (const hsize_t count : cells) nodes.push_back(count + 1);
     points = nodes;
-    points.push_back(has_span ? 3 : 2);
+    points.push_back(3);
   }
 };
 
-const char* points_meaning(const Fluid& fluid) {
-  return fluid.span().has_span() ? "x, y, z of the corners, in L" : "y, z of the corners, in L";
-}
-
-// Of the corners, on the leading rank.
+// x, y and z of the corners, on the leading rank; x is 0 in two dimensions.
 std::vector<double> points_of(const Fluid& fluid, const FluidState& state) {
   const bool has_span = fluid.span().has_span();
   const std::size_t corners = static_cast<std::size_t>(fluid.extent().n_rho + 1) *
@@ -80,8 +76,8 @@ std::vector<double> points_of(const Fluid& fluid, const FluidState& state) {
   for (int plane = 0; plane < fluid.extent().planes; ++plane) {
     corners_of(fluid.grid(), plane, state.grid[0], y.data(), z.data());
     for (std::size_t k = 0; k < corners; ++k) {
-      if (has_span) points.push_back(fluid.span().x(plane));
-      points.insert(points.end(), {y[k], z[k]});
+      const double x = has_span ? fluid.span().x(plane) : 0;
+      points.insert(points.end(), {x, y[k], z[k]});
     }
   }
   points = ranks::gather(points);
@@ -107,7 +103,8 @@ void write_fields(const Fluid& fluid, const FluidState& state, const std::filesy
   }
   const Shapes shapes(fluid);
   const std::vector<double> points = points_of(fluid, state);
-  if (file) file->write("/points", shapes.points, points, {{"meaning", points_meaning(fluid)}});
+  if (file)
+    file->write("/points", shapes.points, points, {{"meaning", "x, y, z of the corners, in L"}});
 
   const Vorticity omega = vorticity(fluid, state);
   for (const FieldQuantity& quantity : quantities) {

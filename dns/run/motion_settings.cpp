@@ -11,7 +11,9 @@ void declare(Schema& schema, MotionSettings& motion) {
       .table("dns.motion",
              "A flag in the flow that moves as prescribed: heave z = A sin(omega t + phase), pitch "
              "by that angle, wave z = A sin(k_y y - omega t + phase), mode z = A sin(omega t + "
-             "phase) times a normal mode; times cos(2 pi waves x/gamma).",
+             "phase) times a normal mode; times cos(2 pi waves x/gamma). All of the flag moves so: "
+             "the "
+             "leading edge of a flexible flag is held and cannot be driven.",
              &motion.is_given)
       .key({"kind", choice(motion.kind, {"rigid", "heave", "pitch", "wave", "mode"}),
             "what it does"})

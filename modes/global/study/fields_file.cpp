@@ -87,9 +87,13 @@ class FieldsFile {
 
  private:
   void write_grid() {
-    points_ = {corners_[0], corners_[1], 2};
-    writer_.write("/points", points_, result_.fields.points,
-                  about("y, z of the grid's corners at rest, in L"));
+    points_ = {corners_[0], corners_[1], 3};
+    const std::vector<double>& y_z = result_.fields.points;
+    std::vector<double> points;
+    points.reserve(y_z.size() / 2 * 3);
+    for (std::size_t k = 0; k < y_z.size(); k += 2)
+      points.insert(points.end(), {0, y_z[k], y_z[k + 1]});
+    writer_.write("/points", points_, points, about("x, y, z of the grid's corners at rest, in L"));
     writer_.write("/y", {result_.found.chord.size()}, result_.found.chord,
                   about("the flag's nodes, in L"));
     std::vector<double> nodes;

@@ -19,8 +19,8 @@ void declare(Schema& schema, Settings& settings) {
              "equations of [dns].",
              &settings.is_given)
       .key({"n_modes", &settings.n_modes,
-            "modes sought, next to each target; 0: none, where a neutral curve is all that is "
-            "wanted",
+            "modes of flag or wake sought, next to each target; 0: none, where a neutral curve is "
+            "all that is wanted",
             Range{0, 200}})
       .key({"target", &settings.target,
             "growth rate and angular frequency near which modes are sought, in V/L; more such "
@@ -55,6 +55,10 @@ void declare(Schema& schema, Settings& settings) {
           {"adjoint", &settings.adjoint,
            "find the adjoint modes too, and what a little more of mu, K_B, nu_s or tension does to "
            "each mode"})
+      .key({"frames", &settings.frames,
+            "frames of an animation of each mode of flag or wake over its period "
+            "(global_mode_1.xdmf, ...), with velocity vectors and the flag; 0: none",
+            Range{0, 1000}})
       .key({"ranks", &settings.ranks,
             "processes that share the sparse factors and the solutions with them, started by "
             "mpiexec",

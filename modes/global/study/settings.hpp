@@ -24,6 +24,7 @@ struct Settings {
   std::optional<double> R, wall_spacing, wake_clustering, dt;
   std::optional<dns::Convection> convection;
   bool adjoint = false;
+  std::int64_t frames = 0;  ///< of the animation of each mode
   std::int64_t ranks = 1;
   NeutralSettings neutral;
   MapSettings map;

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -187,6 +188,49 @@ TEST_F(ModesGlobal, KeepsFieldsThatParaViewOpensOfFlowModesAndWavemaker) {
        {"global_modes.png", "global_modes_mode_1_shape.png", "global_modes_mode_2_vorticity.png",
         "global_modes_mode_1_wavemaker.png", "global_modes_mode_2_flag_wavemaker.png"})
     EXPECT_TRUE(std::filesystem::exists(results() + "/" + picture)) << picture;
+}
+
+// Half a period apart the mode has the other sign; the first frame is its real part.
+TEST_F(ModesGlobal, AnimatesTheModesOverTheirPeriod) {
+  for (const char* span : {"", "gamma = 2\n"}) {
+    const std::string file = case_file("n_modes = 1\ntarget = [0.1, 2.8]\nframes = 4\n", span);
+    const Outcome outcome =
+        pennon({"modes", file, "--json", "--quiet", "--force", "--output", results()});
+    ASSERT_EQ(outcome.status, done) << outcome.err;
+    const double omega = json::parse(outcome.out).at("global").at("modes")[0].at("omega");
+    const test::XdmfSummary fluid = test::check_xdmf(results() + "/global_mode_1.xdmf"),
+                            flag = test::check_xdmf(results() + "/global_mode_1_flag.xdmf");
+    EXPECT_THAT(fluid.faults, testing::IsEmpty());
+    EXPECT_THAT(flag.faults, testing::IsEmpty());
+    ASSERT_EQ(fluid.times.size(), 4u);
+    EXPECT_NEAR(fluid.times[1], M_PI / 2 / omega, 1e-12);
+    EXPECT_EQ(flag.times, fluid.times);
+    EXPECT_THAT(fluid.attributes, testing::Contains("velocity: Vector at Cell"));
+    EXPECT_FALSE(std::filesystem::exists(results() + "/global_mode_2.xdmf"));
+
+    const hdf5::Reader frames(results() + "/global_mode_1.h5"),
+        modes(results() + "/global_modes.h5");
+    const hdf5::Array velocity = frames.read("/frame_1/velocity"),
+                      opposite = frames.read("/frame_3/velocity"),
+                      of_mode = frames.read("/frame_2/mode_velocity"),
+                      nodes = frames.read("/frame_1/flag");
+    const std::vector<double> base = modes.read("/base/w").values,
+                              v_real = modes.read("/mode_1/v_real").values,
+                              v_imag = modes.read("/mode_1/v_imag").values,
+                              zeta = modes.read("/mode_1/zeta_real").values;
+    const double k_x = frames.number("/", "k_x", 0),
+                 planes = static_cast<double>(velocity.shape[0]);
+    const std::complex<double> turn = std::polar(1.0, k_x == 0 ? 0 : M_PI / planes + M_PI / 2),
+                               quarter(0, 1);
+    for (std::size_t k = 0; k < base.size(); ++k) {
+      EXPECT_NEAR(velocity.values[3 * k + 2] + opposite.values[3 * k + 2], 2 * base[k], 1e-12);
+      const std::complex<double> v(v_real[k], v_imag[k]);
+      const double expected = (v * (k_x == 0 ? quarter : turn)).real();
+      EXPECT_NEAR(of_mode.values[3 * k + 1], expected, 1e-12 * (1 + std::abs(v)));
+    }
+    for (std::size_t j = 0; j < zeta.size(); ++j)
+      EXPECT_NEAR(nodes.values[3 * j + 2], 0.1 * zeta[j], 1e-14);
+  }
 }
 
 TEST_F(ModesGlobal, FindsTheNeutralCurveAndChecksItByTheFullOperator) {

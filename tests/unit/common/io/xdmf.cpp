@@ -59,7 +59,7 @@ TEST(Xdmf, DescribesALineAPlaneAndAVolume) {
   write(folder / "plane.xdmf", "fluid",
         {{0,
           {5, 4},
-          source("/plane", {5, 4, 2}),
+          source("/plane", {5, 4, 3}),
           {{"pressure", Center::cell, source("/pressure", {4, 3})}}}});
   write(folder / "volume.xdmf", "fluid",
         {{0,
