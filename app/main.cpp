@@ -14,6 +14,7 @@
 #include "common/parallel/exit_code.hpp"
 #include "common/petsc/petsc.hpp"
 #include "common/record/version.hpp"
+#include "common/standard_streams.hpp"
 
 namespace {
 
@@ -149,6 +150,7 @@ bool is_parallel() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_standard_streams();
   watch_for_interrupts();
   return exit_code_of([&] {
     if (is_parallel()) petsc::start();
