@@ -98,6 +98,7 @@ pennon_test(test_coupling_allocations
 pennon_test(test_coupling_verification
   SOURCES
     verification/dns/coupling/coupling.cpp
+    verification/dns/coupling/order.cpp
   LINK pennon::dns_run)
 
 # Runs through time.
