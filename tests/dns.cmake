@@ -71,12 +71,14 @@ pennon_test(test_fluid_verification
     verification/dns/fluid/plate.cpp
     verification/dns/fluid/potential.cpp
     verification/dns/fluid/span.cpp
+    verification/dns/fluid/span_budgets.cpp
   SEPARATE
     verification/dns/fluid/budgets.cpp
     verification/dns/fluid/extremes.cpp
     verification/dns/fluid/identities.cpp
     verification/dns/fluid/manufactured.cpp
     verification/dns/fluid/outflow.cpp
+    verification/dns/fluid/span_budgets.cpp
   LINK pennon::dns_run pennon::lsa)
 pennon_test(test_fluid_validation
   SOURCES
@@ -98,6 +100,7 @@ pennon_test(test_coupling_allocations
 pennon_test(test_coupling_verification
   SOURCES
     verification/dns/coupling/coupling.cpp
+    verification/dns/coupling/order.cpp
   LINK pennon::dns_run)
 
 # Runs through time.

@@ -5,6 +5,7 @@ pennon_test(test_global
     unit/modes/global/map/reduced_map.cpp
     unit/modes/global/matrix_free/map_eigenpairs.cpp
     unit/modes/global/neutral/neutral.cpp
+    unit/modes/global/solve/spectrum.cpp
     unit/modes/global/study/both_signs.cpp
     unit/modes/global/study/fields.cpp
     unit/modes/global/study/mode_kinds.cpp
@@ -13,6 +14,7 @@ pennon_test(test_global
     unit/modes/global/study/wire.cpp
   SEPARATE
     unit/modes/global/neutral/neutral.cpp
+    unit/modes/global/solve/spectrum.cpp
     unit/modes/global/study/fields.cpp
     unit/modes/global/study/mode_kinds.cpp
     unit/modes/global/study/neutral_curve.cpp

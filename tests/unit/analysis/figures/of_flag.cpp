@@ -60,5 +60,33 @@ TEST(PictureOfStrain, HasTheMeanOfTheCellsAtEachNode) {
   EXPECT_THAT(surface.y, ElementsAre(0, 1, 0, 1, 0, 1));
 }
 
+// The history's columns are t, the place of the trailing edge, and from the fifth on the energies;
+// here each holds its own number, but nothing is dissipated.
+TEST(FigureOfFlagHistory, DrawsEachEnergyUnderItsNameAndNoneThatIsZero) {
+  const TemporaryFolder folder;
+  constexpr std::size_t rows = 2, columns = 15, dissipated = 9;
+  std::vector<double> history;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t k = 0; k < columns; ++k)
+      history.push_back(k == dissipated ? 0.0 : static_cast<double>(k + 100 * row));
+  {
+    hdf5::Writer file(folder / "history.h5");
+    file.write("/history", {rows, columns}, history);
+    file.finish();
+  }
+  const Figure figure = figure_of_flag_history(hdf5::Reader(folder / "history.h5"));
+  std::vector<std::string> labels;
+  std::vector<double> first;
+  for (const Line& line : figure.lines) {
+    labels.push_back(line.label);
+    first.push_back(line.y.front());
+    EXPECT_THAT(line.x, ElementsAre(0, 100));
+  }
+  EXPECT_THAT(labels,
+              ElementsAre("kinetic", "bending", "stretch of the chord", "stretch of the span",
+                          "gravitational", "work of the loads", "total"));
+  EXPECT_THAT(first, ElementsAre(4, 5, 6, 7, 8, 10, 11));
+}
+
 }  // namespace
 }  // namespace pennon::analysis

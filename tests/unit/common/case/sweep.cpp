@@ -48,6 +48,15 @@ TEST(Sweep, SpansAllThatARangeAllows) {
   EXPECT_EQ(linear.at(1), 0);
 }
 
+// Doubles lie closer at 0 than at 1, so that 2^60 points differ at the one end and not at the
+// other.
+TEST(Sweep, DoesNotIncreaseWhereItsPointsAreCloserThanDoublesAtEitherEnd) {
+  constexpr std::int64_t many = std::int64_t{1} << 60;
+  EXPECT_FALSE((Sweep{0, 1, many, Scale::linear, {}}.is_increasing()));
+  EXPECT_FALSE((Sweep{-1, 0, many, Scale::linear, {}}.is_increasing()));
+  EXPECT_TRUE((Sweep{0, 1, 1 << 20, Scale::linear, {}}.is_increasing()));
+}
+
 TEST(Sweep, IsItsListWhereItHasOne) {
   const Sweep sweep{0, 0, 0, Scale::linear, {3, 1, 2}};
   EXPECT_EQ(sweep.size(), 3);

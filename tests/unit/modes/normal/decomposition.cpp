@@ -4,7 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "common/errors.hpp"
@@ -116,6 +120,92 @@ TEST(Decomposition, LeavesLessTheMoreModesItMayUse) {
       before[i] = error;
     }
   }
+}
+
+// Fourier and Bessel's series with s = 1-y and the weight w = s: the integral of w s^n J_n(alpha s)
+// is J_(n+1)(alpha)/alpha, so that 1 + (a cos + b sin)(k_x x) s has the amplitudes 2/(alpha
+// J_(n+1)(alpha)) times 1 for n = 0 and a, b for n = 1. Each mode takes 2/alpha^2 times their
+// squares from the squared norm, 1/2 + (a^2 + b^2)/8, and half of that for n = 1.
+TEST(Decomposition, OfPowersIsFourierAndBesselsSeriesAndItsRemainder) {
+  constexpr double a = 0.7, b = -0.4;
+  constexpr int modes = 5;
+  const NormalModes family = bessel_modes({{0, 1}, modes}, flag(), flow);
+  const double k_x = 2 * std::numbers::pi / *flag().gamma;
+  const Decomposition result = decompose(family, [&](double x, double y) {
+    return 1 + (a * std::cos(k_x * x) + b * std::sin(k_x * x)) * (1 - y);
+  });
+  std::vector<Amplitude> exact;
+  const double whole = 0.5 + (a * a + b * b) / 8;
+  double rest = whole;
+  for (const int n : {0, 1})
+    for (int m = 1; m <= modes; ++m) {
+      const double alpha = boost::math::cyl_bessel_j_zero(static_cast<double>(n), m);
+      const double amplitude = 2 / (alpha * boost::math::cyl_bessel_j(n + 1, alpha));
+      const double square = 2 / (alpha * alpha);
+      exact.push_back({n, m, n == 0 ? amplitude : a * amplitude, n == 0 ? 0 : b * amplitude});
+      rest -= n == 0 ? square : (a * a + b * b) / 2 * square;
+    }
+  expect_equal(result.amplitudes, exact, roundoff);
+  EXPECT_NEAR(result.truncation_error, std::sqrt(rest / whole), roundoff);
+  EXPECT_GT(result.truncation_error, 0.1);
+}
+
+// The amplitudes a of a weighted fit solve M^T W M a = M^T W zeta, for what lies outside of the
+// span of the modes too.
+struct NormalEquations {
+  Eigen::MatrixXd M;
+  Eigen::VectorXd zeta, w;
+
+  NormalEquations(const NormalModes& family, const std::vector<Sample>& samples)
+      : M(samples.size(), 2 * family.modes.size()), zeta(samples.size()), w(samples.size()) {
+    for (Eigen::Index i = 0; i < M.rows(); ++i) {
+      const Sample& at = samples[static_cast<std::size_t>(i)];
+      zeta[i] = at.zeta;
+      w[i] = family.weight(at.y);
+      for (std::size_t k = 0; k < family.modes.size(); ++k) {
+        const NormalMode& mode = family.modes[k];
+        const auto column = static_cast<Eigen::Index>(2 * k);
+        M(i, column) = mode.shape(at.y) * std::cos(mode.k_x * at.x);
+        M(i, column + 1) = mode.shape(at.y) * std::sin(mode.k_x * at.x);
+      }
+    }
+  }
+  // A, B in turn; B = 0 for n = 0, where its column vanishes.
+  Eigen::VectorXd solve() const {
+    const Eigen::MatrixXd normal = M.transpose() * w.asDiagonal() * M;
+    return normal.completeOrthogonalDecomposition().solve(M.transpose() * w.cwiseProduct(zeta));
+  }
+  double truncation_error(const Eigen::VectorXd& a) const {
+    const Eigen::VectorXd rest = zeta - M * a;
+    return std::sqrt(w.dot(rest.cwiseAbs2()) / w.dot(zeta.cwiseAbs2()));
+  }
+};
+
+TEST(Decomposition, OfSamplesWithARemainderSolvesTheWeightedNormalEquations) {
+  const auto zeta = [](double x, double y) {
+    return std::exp(-3 * y) * (1 + 0.5 * std::sin(3.1 * x)) + 0.2 * std::cos(9 * x);
+  };
+  double unlike_without_weights = 0;
+  for (const NormalModes& family : families({{0, 1, 3}, 3}, 80)) {
+    const std::vector<Sample> samples = scattered(zeta, 200);
+    const Decomposition result = decompose(family, samples, "samples");
+    NormalEquations equations(family, samples);
+    const Eigen::VectorXd exact = equations.solve();
+    const double tolerance = roundoff * std::pow(result.fit->condition_number, 2);
+    std::vector<Amplitude> amplitudes;
+    for (std::size_t k = 0; k < family.modes.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(2 * k);
+      amplitudes.push_back(
+          {family.modes[k].n, family.modes[k].m, exact[column], exact[column + 1]});
+    }
+    expect_equal(result.amplitudes, amplitudes, tolerance);
+    EXPECT_NEAR(result.truncation_error, equations.truncation_error(exact), roundoff);
+    EXPECT_GT(result.truncation_error, 0.1);
+    equations.w.setOnes();
+    unlike_without_weights =
+        std::max(unlike_without_weights, (equations.solve() - exact).cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(unlike_without_weights, 0.01) << "the weights matter too little for this test";
 }
 
 TEST(Decomposition, InTwoDimensionsHasNoSpan) {
