@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/parallel/interrupted_step.hpp"
+
 namespace pennon::dns {
 namespace {
 
@@ -39,6 +41,7 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
   bool must_factor = settings_.contraction == 0 || factored_mass_ != equation.mass_factor;
   last_change_ = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
+    ranks::stop_if_interrupted_alone();
     v = equation.velocity_factor * x + equation.velocity_rest;
     const FlagStep<dim> step{start, x, equation.pairing, equation.dt, &v, equation.velocity_factor};
     if (must_factor || must_fill_) {
@@ -47,6 +50,7 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
       must_fill_ = false;
     }
     if (must_factor) {
+      ranks::stop_if_interrupted_alone();
       factored_mass_ = 0;
       ++summary.factorisations;
       if (!tangent_->factor()) return false;
@@ -57,6 +61,7 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
     if (equation.added_mass) equation.added_mass->subtract_force(inertia_, change_);
     change_ -= inertia_ * flag_.mass().asDiagonal();
     flag_.clear_held(change_);
+    ranks::stop_if_interrupted_alone();
     int solver_iterations = 0;
     if (equation.added_mass)
       solver_iterations = equation.added_mass->solve(*tangent_, equation.mass_factor, change_);
