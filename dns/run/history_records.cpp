@@ -179,6 +179,7 @@ std::optional<RecordsEnd> records_of(const hdf5::Reader& file) {
     if (found.at("format") != format)
       file.fail(fmt::format("is of format {}, and this version of pennon reads up to {}",
                             found.at("format").dump(), format));
+    if (!found.at("bytes").is_number_unsigned()) throw std::invalid_argument("no number of bytes");
     return RecordsEnd{.file = hexadecimal(found.at("file")),
                       .bytes = found.at("bytes").get<std::uint64_t>(),
                       .checksum = hexadecimal(found.at("checksum"))};
