@@ -41,7 +41,6 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
   bool must_factor = settings_.contraction == 0 || factored_mass_ != equation.mass_factor;
   last_change_ = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < settings_.most_iterations; ++iteration) {
-    ranks::stop_if_interrupted_alone();
     v = equation.velocity_factor * x + equation.velocity_rest;
     const FlagStep<dim> step{start, x, equation.pairing, equation.dt, &v, equation.velocity_factor};
     if (must_factor || must_fill_) {
