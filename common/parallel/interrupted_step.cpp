@@ -7,6 +7,8 @@
 namespace pennon::ranks {
 namespace {
 
+constexpr double patience = 0.5;  // s
+
 [[noreturn]] void stop() {
   pennon::stop_if_interrupted("what it was computing is not kept; start it again");
   throw Interrupted("stopped by another rank");
@@ -15,11 +17,11 @@ namespace {
 }  // namespace
 
 void stop_if_interrupted() {
-  if (any(is_interrupted())) stop();
+  if (any(was_interrupted_before(patience))) stop();
 }
 
 void stop_if_interrupted_alone() {
-  if (is_interrupted() && count() == 1) stop();
+  if (was_interrupted_before(patience) && count() == 1) stop();
 }
 
 }  // namespace pennon::ranks

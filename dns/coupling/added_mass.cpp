@@ -1,5 +1,5 @@
-#include "common/parallel/interrupted_step.hpp"
 #include "dns/coupling/added_mass.hpp"
+#include "common/parallel/interrupted_step.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
