@@ -301,7 +301,7 @@ TEST_F(LongStep, OfFlagAndFlowIsLeftAtASignalAndTakenAgainToTheSameBits) {
   const std::string file = test::write_text(
       folder_ / "span.toml",
       "[flag]\nmu = 0.125\nK_B = 1e-4\ndamping = 0.02\ngamma = 2\n[flow]\nRe = 500\n[dns]\n"
-      "n_x = 8\nn_rho = 128\nn_theta = 384\nwall_spacing = 0.01\ndt = 1e-3\nt_end = 3e-3\n"
+      "n_x = 16\nn_rho = 128\nn_theta = 384\nwall_spacing = 0.01\ndt = 1e-3\nt_end = 2e-3\n"
       "first_dt = 1e-3\n[dns.initial]\nA = [0.05, 0.01]\n[dns.output]\n"
       "checkpoint_interval = 1e-3\n");
   for (const int ranks : {1, 2})
