@@ -11,7 +11,10 @@
 #include "app/commands.hpp"
 #include "app/compare_report.hpp"
 #include "app/global_process.hpp"
+#include "app/kept_modes.hpp"
 #include "app/run_of_case.hpp"
+#include "common/errors.hpp"
+#include "common/interrupt.hpp"
 #include "common/progress.hpp"
 #include "common/stop_watch.hpp"
 #include "lsa/settings.hpp"
@@ -33,31 +36,61 @@ ComparedModel local_row(const Case& the_case, std::int64_t waves) {
   return row;
 }
 
+// Where global modes may lie, and whether they are to be looked for.
+struct ModesPlaces {
+  const OutputFolder& own;            // with a folder for each number of waves
+  std::filesystem::path of_the_case;  // of `pennon modes`
+  bool are_looked_for;
+};
+
+// Those that an earlier command left for this problem, with a note that says so, or found now.
+modes::global::FoundModes global_modes(const modes::global::Problem& problem, std::int64_t waves,
+                                       const ModesPlaces& places, std::vector<std::string>& notes) {
+  const OutputFolder its_own(places.own / fmt::format("global_{}", waves));
+  if (places.are_looked_for)
+    for (const std::filesystem::path& folder :
+         {its_own.path(), places.of_the_case, places.own.path().parent_path() / "modes"})
+      if (auto kept = kept_global_modes(problem, folder)) {
+        notes.push_back(fmt::format(
+            "the global modes with {} waves along the span are those in {}, of the same problem; "
+            "--force finds them anew",
+            waves, folder.string()));
+        return std::move(kept->spectrum);
+      }
+  try {
+    return solve_global_modes(problem, its_own, false).spectrum;
+  } catch (const Interrupted&) {
+    stop_if_interrupted(
+        "the global modes found before are kept; the same command goes on with them");
+    throw;
+  }
+}
+
 // The mode of flag or wake that grows most, of either direction along the span, of a flag with as
 // many spanwise nodes as the simulation's.
-ComparedModel global_row(const Case& the_case, std::int64_t waves, const OutputFolder& folder,
+ComparedModel global_row(const Case& the_case, std::int64_t waves, const ModesPlaces& places,
                          std::vector<std::string>& notes) {
-  const StopWatch watch;
   modes::global::Settings settings = the_case.global_modes;
   settings.k_x = k_x_of(waves, the_case.flag);
   settings.n_modes = std::max<std::int64_t>(settings.n_modes, 1);
   settings.neutral.is_given = settings.map.is_given = false;
   constexpr std::int64_t fewest_nodes = 3;
   if (waves > 0) settings.n_x = std::max(fewest_nodes, the_case.dns.n_x / waves);
-  const OutputFolder its_own(folder / fmt::format("global_{}", waves));
   const modes::global::Problem problem(the_case.flag, the_case.flow, settings);
-  const modes::global::Findings found = solve_global_modes(problem, its_own, false);
-  ComparedModel row{.model = "global", .waves = waves, .wall_seconds = watch.seconds()};
-  if (found.spectrum.converged == 0) {
+  const modes::global::FoundModes found = global_modes(problem, waves, places, notes);
+  ComparedModel row{
+      .model = "global",
+      .waves = waves,
+      .wall_seconds = found.base_seconds + found.operator_seconds + found.eigen_seconds};
+  if (found.converged == 0) {
     notes.push_back(fmt::format(
         "all global modes found with {} waves along the span belong to the box in which the flow "
-        "is "
-        "computed; a larger modes.global.R, or modes.global.target, may find the flag's",
+        "is computed; a larger modes.global.R, or modes.global.target, may find the flag's",
         waves));
     return row;
   }
   // Those of the box are behind the others.
-  const std::complex<double> lambda = found.spectrum.modes.front().lambda;
+  const std::complex<double> lambda = found.modes.front().lambda;
   const double frequency = lambda.imag() / (2 * std::numbers::pi);
   row.growth = lambda.real();
   row.frequency = std::abs(frequency);
@@ -100,9 +133,10 @@ void run_compare(const Options& options, const std::string& run_folder) {
     rows.reserve(2 * all_waves.size() + 1);
     for (const std::int64_t waves : all_waves) rows.push_back(local_row(the_case, waves));
     Progress progress("global modes", static_cast<std::int64_t>(all_waves.size()), !options.quiet);
+    const ModesPlaces places{folder, usual / "modes", !options.force};
     for (const std::int64_t waves : all_waves) {
       const auto timer = record.time("global modes");
-      rows.push_back(global_row(the_case, waves, folder, notes));
+      rows.push_back(global_row(the_case, waves, places, notes));
       progress.advance_to(static_cast<std::int64_t>(rows.size()) -
                           static_cast<std::int64_t>(all_waves.size()));
     }

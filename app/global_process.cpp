@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/kept_modes.hpp"
 #include "common/errors.hpp"
 #include "common/interrupt.hpp"
 #include "common/io/atomic_file.hpp"
@@ -105,7 +106,9 @@ modes::global::Findings solve_global_modes(const modes::global::Problem& problem
                                            const OutputFolder& folder, bool shows_progress) {
   const std::filesystem::path asked = folder / "global_problem.toml",
                               answered = folder / "global_modes.json";
-  write_file(asked, "# What pennon-global solved.\n" + resolved_text(problem.schema));
+  std::error_code ignored;
+  std::filesystem::remove(answered, ignored);  // of another problem, perhaps
+  write_file(asked, problem_text(problem));
   const modes::global::Settings& settings = problem.settings;
   raise(run_program(
             global_program({asked.string(), answered.string()}, settings.ranks, shows_progress)),

@@ -27,8 +27,8 @@ constexpr const char* summary_name = "summary.json";
 constexpr const char* record_name = "record.json";
 constexpr const char* checkpoint_name = "checkpoint.h5";
 
-constexpr std::array<std::string_view, 7> endings = {".h5",  ".csv", ".xdmf", ".png",
-                                                     ".pdf", ".svg", ".json"};
+constexpr std::array<std::string_view, 8> endings = {".h5",  ".csv", ".xdmf", ".png",
+                                                     ".pdf", ".svg", ".json", ".rows"};
 
 // Whether a file's name is one that the command gives: the beginning by itself, or followed by an
 // underscore.

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <string>
 
 #include "common/errors.hpp"
@@ -23,6 +26,15 @@ constexpr std::array<Watched, 5> watched = {{{SIGINT, "Ctrl-C"},
                                              {SIGHUP, "the end of its terminal (SIGHUP)"}}};
 
 volatile std::sig_atomic_t caught_signal = 0;
+std::atomic<std::int64_t> caught_at = 0;  // the monotonic clock, in nanoseconds; 0: not yet
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal may set it");
+
+std::int64_t now() {
+  constexpr std::int64_t nanoseconds = 1'000'000'000;
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return time.tv_sec * nanoseconds + time.tv_nsec;
+}
 
 void note(int signal) {
   if (signal == SIGINT && caught_signal == SIGINT) {
@@ -30,6 +42,7 @@ void note(int signal) {
     std::raise(signal);
   }
   caught_signal = signal;
+  if (caught_at == 0) caught_at = now();
 }
 
 }  // namespace
@@ -49,6 +62,12 @@ void watch_for_interrupts() {
 
 bool is_interrupted() {
   return caught_signal != 0;
+}
+
+bool was_interrupted_before(double seconds) {
+  constexpr double nanosecond = 1e-9;
+  const std::int64_t since = caught_at;
+  return since != 0 && nanosecond * static_cast<double>(now() - since) > seconds;
 }
 
 void stop_if_interrupted(const char* advice) {

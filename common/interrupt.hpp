@@ -15,6 +15,9 @@ void watch_for_interrupts();
 /// Whether one of them has come.
 bool is_interrupted();
 
+/// Whether the first that came did so longer ago than that.
+bool was_interrupted_before(double seconds);
+
 /// Throws Interrupted, with the signal's name and `advice` on how to go on, if one has come.
 void stop_if_interrupted(const char* advice);
 

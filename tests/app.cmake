@@ -10,6 +10,7 @@ pennon_test(test_app
     regression/app/fluid.cpp
     regression/app/folders.cpp
     regression/app/global.cpp
+    regression/app/kept_history.cpp
     regression/app/named_keys.cpp
   LINK pennon::analysis_figures Boost::headers GTest::gmock)
 pennon_test(test_app_validation

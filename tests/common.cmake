@@ -14,6 +14,7 @@ pennon_test(test_common
     unit/common/io/folder_lock.cpp
     unit/common/io/hdf5.cpp
     unit/common/io/output_folder.cpp
+    unit/common/io/record_file.cpp
     unit/common/io/xdmf.cpp
     unit/common/linear_algebra/svd.cpp
     unit/common/process/process.cpp

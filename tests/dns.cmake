@@ -106,6 +106,7 @@ pennon_test(test_coupling_verification
 # Runs through time.
 pennon_test(test_runs
   SOURCES
+    unit/dns/run/history_records.cpp
     unit/dns/run/settings.cpp
     unit/dns/run/restart.cpp
     unit/dns/run/state_file.cpp

@@ -1,4 +1,5 @@
 #include "dns/coupling/added_mass.hpp"
+#include "common/parallel/interrupted_step.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -50,6 +51,7 @@ Eigen::MatrixXd flat_jump_response(const OGrid& grid, double k) {
   std::vector<double> p(static_cast<std::size_t>(grid.n_rho()) * static_cast<std::size_t>(n_theta));
   for (int s = 0; s < segments; ++s) {
     // lap p = -d/dt div v: what comes through the wall into the cell above leaves the one below.
+    ranks::stop_if_interrupted_alone();
     std::ranges::fill(p, 0.0);
     p[static_cast<std::size_t>(upper_face(n_theta, s))] = -1;
     p[static_cast<std::size_t>(lower_face(n_theta, s))] = 1;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/errors.hpp"
+#include "common/parallel/interrupted_step.hpp"
 #include "common/parallel/ranks.hpp"
 #include "common/stop_watch.hpp"
 
@@ -254,6 +255,7 @@ CoupledStepSummary Coupling<dim>::advance(CoupledState<dim>& state, double dt) {
   newton_.begin_step();
   for (summary.passes = 1;; ++summary.passes) {
     solve_flag(state, summary);
+    ranks::stop_if_interrupted();
     move_wall(v_);
     // It bounds the error's mean over the fluid; that at an edge of the flag can be much larger,
     // and the jump then stays as it is.

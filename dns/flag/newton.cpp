@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/parallel/interrupted_step.hpp"
+
 namespace pennon::dns {
 namespace {
 
@@ -47,6 +49,7 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
       must_fill_ = false;
     }
     if (must_factor) {
+      ranks::stop_if_interrupted_alone();
       factored_mass_ = 0;
       ++summary.factorisations;
       if (!tangent_->factor()) return false;
@@ -57,6 +60,7 @@ bool FlagNewton<dim>::solve(const NodeVectors<dim>& start, const FlagEquation<di
     if (equation.added_mass) equation.added_mass->subtract_force(inertia_, change_);
     change_ -= inertia_ * flag_.mass().asDiagonal();
     flag_.clear_held(change_);
+    ranks::stop_if_interrupted_alone();
     int solver_iterations = 0;
     if (equation.added_mass)
       solver_iterations = equation.added_mass->solve(*tangent_, equation.mass_factor, change_);

@@ -63,7 +63,8 @@ class FlagNewton {
  public:
   FlagNewton(const Flag<dim>&, const NewtonSettings&);
 
-  /// From x to the end position; v becomes its velocity. False where it does not converge.
+  /// From x to the end position; v becomes its velocity. False where it does not converge. Throws
+  /// Interrupted (interrupted_step.hpp).
   bool solve(const NodeVectors<dim>& start, const FlagEquation<dim>&, NodeVectors<dim>& x,
              NodeVectors<dim>& v, StepSummary&);
 

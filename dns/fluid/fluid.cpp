@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/parallel/interrupted_step.hpp"
 #include "common/parallel/ranks.hpp"
 #include "common/smooth_rise.hpp"
 #include "common/stop_watch.hpp"
@@ -48,6 +49,7 @@ void Fluid::begin_step(FluidState& state, const WallShape& wall, double dt) {
   summary_.seconds.grid = watch.lap();
   moving_.update_metrics(state.grid[0]);
   summary_.seconds.metrics = watch.lap();
+  ranks::stop_if_interrupted();
   projection_.find_outer_pressure(step_, state.u);
   projection_.extend_pressure(state.p);
   prediction_.predict(step_, wall_velocity_, state, velocity_, summary_);

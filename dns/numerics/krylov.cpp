@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "common/parallel/interrupted_step.hpp"
 #include "common/petsc/petsc.hpp"
 
 namespace pennon::dns {
@@ -100,6 +101,15 @@ struct Krylov::Implementation {
   petsc::KrylovMethod method;
   petsc::Vector b, x;
   double root_unknowns = 1;
+  bool is_of_one_rank = false;
+  int iterations = 0;  // of the solution at work, as the preconditioner counts them
+
+  // Ranks that share the work agree on it, all in the same iterations.
+  void look_for_interrupt() {
+    constexpr int iterations_between = 8;
+    ranks::stop_if_interrupted_alone();
+    if (++iterations % iterations_between == 0 && !is_of_one_rank) ranks::stop_if_interrupted();
+  }
 
   static PetscErrorCode apply(const Operator& function, std::exception_ptr& caught, Vec in,
                               Vec out) {
@@ -120,7 +130,12 @@ struct Krylov::Implementation {
   static PetscErrorCode precondition(PC shell, Vec in, Vec out) {
     Implementation* self = nullptr;
     PCShellGetContext(shell, static_cast<void*>(&self));
-    return apply(self->inverse_M, self->caught, in, out);
+    return apply(
+        [self](const double* from, double* to) {
+          self->look_for_interrupt();
+          self->inverse_M(from, to);
+        },
+        self->caught, in, out);
   }
 };
 
@@ -131,6 +146,7 @@ Krylov::Krylov(std::size_t unknowns, const Settings& settings, Operator A, Opera
   Implementation& self = *implementation_;
   self.A = std::move(A);
   self.inverse_M = std::move(inverse_M);
+  self.is_of_one_rank = settings.is_of_one_rank;
   const MPI_Comm comm = settings.is_of_one_rank ? PETSC_COMM_SELF : PETSC_COMM_WORLD;
   const auto n = static_cast<PetscInt>(unknowns);
   check(MatCreateShell(comm, n, n, PETSC_DETERMINE, PETSC_DETERMINE, &self, self.matrix.address()));
@@ -174,6 +190,7 @@ KrylovSummary Krylov::solve(const double* b, double* x, double tolerance, double
   check(VecPlaceArray(self.b, b));
   check(VecPlaceArray(self.x, x));
   self.caught = nullptr;
+  self.iterations = 0;
   const PetscErrorCode code = KSPSolve(self.method, self.b, self.x);
   check(VecResetArray(self.b));
   check(VecResetArray(self.x));

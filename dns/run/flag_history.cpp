@@ -178,10 +178,6 @@ void write_shapes(const FlagShapes& shapes, const std::vector<double>& contour_t
   xdmf::write(folder / "shapes.xdmf", "flag", series);
 }
 
-void write_shapes(const FlagShapes& shapes, hdf5::Writer& file) {
-  if (!shapes.times.empty()) write_arrays(shapes, file);
-}
-
 FlagShapes read_shapes(const hdf5::Reader& file) {
   FlagShapes shapes;
   if (!file.contains("/shape_times")) return shapes;
@@ -219,11 +215,6 @@ void write_history(const FlagHistory& history, const std::vector<double>& contou
   rows.finish();
 
   write_shapes(history.shapes, contour_times, folder);
-}
-
-void write_history(const FlagHistory& history, hdf5::Writer& file) {
-  write_rows(history, file);
-  write_shapes(history.shapes, file);
 }
 
 hdf5::Array read_rows(const hdf5::Reader& file, std::size_t columns, double last) {

@@ -42,9 +42,8 @@ void add_shape(const Flag<dim>&, double t, const NodeVectors<dim>& x, const Node
 /// Throws FileError.
 void write_shapes(const FlagShapes&, const std::vector<double>& contour_times,
                   const std::filesystem::path& folder);
-/// The same as part of a checkpoint.
-void write_shapes(const FlagShapes&, hdf5::Writer&);
-/// Throws InputError where the shapes are of different sizes.
+/// The shapes in a checkpoint of an earlier version. Throws InputError where they are of different
+/// sizes.
 FlagShapes read_shapes(const hdf5::Reader&);
 
 struct FlagHistory {
@@ -56,9 +55,8 @@ struct FlagHistory {
 void write_history(const FlagHistory&, const std::vector<double>& contour_times,
                    const std::filesystem::path& folder);
 
-/// The same as part of a checkpoint.
-void write_history(const FlagHistory&, hdf5::Writer&);
-/// Throws InputError where a row is later than t, the time of the checkpoint.
+/// The history in a checkpoint of an earlier version. Throws InputError where a row is later than
+/// t, the time of the checkpoint.
 FlagHistory read_history(const hdf5::Reader&, double t);
 
 /// The rows of /history with so many columns, of which the first is t. Throws InputError where the

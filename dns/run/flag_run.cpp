@@ -46,6 +46,14 @@ class FlagBody {
     iterations_ += last_step_.iterations;
     most_iterations_ = std::max(most_iterations_, last_step_.iterations);
   }
+  void keep_state() {
+    kept_ = state_;
+    kept_tangent_ = stepper_.kept_tangent();
+  }
+  void restore_state() {
+    state_ = kept_;
+    is_restored_ = true;
+  }
   std::string words_of_step() const {
     return fmt::format("step {} at t = {:.4g}, {} Newton iterations", steps_.taken(), state_.t,
                        last_step_.iterations);
@@ -69,8 +77,14 @@ class FlagBody {
     file->attributes(
         {{"step", steps_.taken()}, {"step_origin", steps_.origin()}, {"dt", steps_.dt()}});
     write_state(state_, *file);
-    write_tangent(stepper_.kept_tangent(), *file);
-    write_history(history_, *file);
+    write_tangent(is_restored_ ? kept_tangent_ : stepper_.kept_tangent(), *file);
+  }
+  HistoryCount history_count() const {
+    return {history_.rows.size(), history_.shapes.times.size(), 0};
+  }
+  void add_records(const HistoryCount& first, RecordFile& file) const {
+    add_rows(history_, first.rows, file);
+    add_shapes(history_.shapes, first.shapes, file);
   }
   void read(const hdf5::Reader& file) {
     state_ = read_flag_state<dim>(file, flag_.mesh().nodes());
@@ -79,7 +93,11 @@ class FlagBody {
       steps_.go_on(file.number("/", "step_origin"), file.counted("/", "step"));
     else
       steps_.go_on(state_.t, 0);
-    history_ = read_history(file, state_.t);
+    const auto take = [&](const auto& path, HistoryRecord kind, std::span<const double> record) {
+      if (kind == row_record) take_row(path, record, state_.t, history_);
+      if (kind == shape_record) take_shape(path, record, history_.shapes);
+    };
+    if (!read_history_records(file, take)) history_ = read_history(file, state_.t);
   }
 
   /// The shape at rest under the loads, as the history's only row.
@@ -109,7 +127,9 @@ class FlagBody {
   FlagLoads<dim> loads_;
   int probe_;
   FlagStepper<dim> stepper_;
-  FlagState<dim> state_;
+  FlagState<dim> state_, kept_;
+  std::optional<KeptTangent> kept_tangent_;  // with kept_
+  bool is_restored_ = false;
   EqualSteps steps_;
   StepSummary last_step_;
   std::int64_t iterations_ = 0, halved_steps_ = 0;

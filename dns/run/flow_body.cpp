@@ -26,11 +26,13 @@ class PrescribedBody : public FlowBody {
     summary.fluid = fluid_.advance(state_, motion_, dt);
     return summary;
   }
+  void keep_state() override { kept_ = state_; }
+  void restore_state() override { state_ = kept_; }
 
  private:
   Fluid& fluid_;
   WallMotion motion_;
-  FluidState state_;
+  FluidState state_, kept_;
 };
 
 template <int dim>
@@ -70,6 +72,15 @@ class CoupledBody : public FlowBody {
     return coupling_.advance(state_, dt);
   }
 
+  void keep_state() override {
+    kept_ = state_;
+    kept_tangent_ = coupling_.kept_tangent();
+  }
+  void restore_state() override {
+    state_ = kept_;
+    is_restored_ = true;
+  }
+
   void complete_row(const CoupledStepSummary& summary, FluidHistory& history) const override {
     const FlagEnergies e = energies();
     const double share = dim == 2 ? 1.0 : 1 / flag_.mesh().span();
@@ -95,7 +106,7 @@ class CoupledBody : public FlowBody {
 
   void write(hdf5::Writer& file) const override {
     write_flag_of(state_, energy_at_start_, file);
-    write_tangent(coupling_.kept_tangent(), file);
+    write_tangent(is_restored_ ? kept_tangent_ : coupling_.kept_tangent(), file);
   }
 
   void read(const hdf5::Reader& file) override {
@@ -134,7 +145,9 @@ class CoupledBody : public FlowBody {
   Eigen::Matrix<double, dim, 1> gravity_;
   NodeVectors<dim> shape_;
   Coupling<dim> coupling_;
-  CoupledState<dim> state_;
+  CoupledState<dim> state_, kept_;
+  std::optional<KeptTangent> kept_tangent_;  // with kept_
+  bool is_restored_ = false;
   double energy_at_start_ = 0;
 };
 

@@ -23,6 +23,10 @@ class FlowBody {
   /// Sets the state at t = 0; the first step will be dt long.
   virtual void start(double dt) = 0;
   virtual CoupledStepSummary advance(double dt) = 0;
+  /// Keeps all that the next step depends on; and back, after a step that was left half-way. What
+  /// follows may be write() only.
+  virtual void keep_state() = 0;
+  virtual void restore_state() = 0;
 
   /// Adds the body's columns to a row of the history that add_row() has begun. Every MPI rank
   /// calls.

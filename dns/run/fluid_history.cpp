@@ -41,6 +41,23 @@ std::vector<double> row_of(const FluidHistory& history, std::size_t r) {
   return row;
 }
 
+void write_arrays(const FluidHistory& history, int planes, std::size_t probes, hdf5::Writer& file) {
+  const std::vector<HistoryColumn> columns = columns_of(history);
+  std::vector<double> values;
+  for (std::size_t r = 0; r < history.rows.size(); ++r) append(row_of(history, r), values);
+  const hsize_t rows = history.rows.size();
+  file.write("/history", {rows, columns.size()}, values, attributes_of(columns));
+  file.write("/stations", {rows, static_cast<hsize_t>(planes), values_of_station}, history.stations,
+             {{"meaning", "drag, lift and side force of each plane, in rho_f V^2 L per span"}});
+  if (!history.flag.empty())
+    file.write("/trailing_edge", {rows, static_cast<hsize_t>(planes), values_of_station},
+               history.trailing_edge,
+               {{"meaning", "position x, y, z of the trailing edge at each station, in L"}});
+  if (probes == 0) return;
+  file.write("/probes", {rows, probes, static_cast<hsize_t>(planes), values_of_probe},
+             history.probes, {{"meaning", "v, w, u, p, in V and rho_f V^2"}});
+}
+
 }  // namespace
 
 const std::array<HistoryColumn, fluid_columns>& columns_of_fluid_history() {
@@ -158,24 +175,6 @@ void add_row(const Fluid& fluid, const FluidState& state, const FluidStepSummary
   }
 }
 
-void write_history(const FluidHistory& history, int planes, std::size_t probes,
-                   hdf5::Writer& file) {
-  const std::vector<HistoryColumn> columns = columns_of(history);
-  std::vector<double> values;
-  for (std::size_t r = 0; r < history.rows.size(); ++r) append(row_of(history, r), values);
-  const hsize_t rows = history.rows.size();
-  file.write("/history", {rows, columns.size()}, values, attributes_of(columns));
-  file.write("/stations", {rows, static_cast<hsize_t>(planes), values_of_station}, history.stations,
-             {{"meaning", "drag, lift and side force of each plane, in rho_f V^2 L per span"}});
-  if (!history.flag.empty())
-    file.write("/trailing_edge", {rows, static_cast<hsize_t>(planes), values_of_station},
-               history.trailing_edge,
-               {{"meaning", "position x, y, z of the trailing edge at each station, in L"}});
-  if (probes == 0) return;
-  file.write("/probes", {rows, probes, static_cast<hsize_t>(planes), values_of_probe},
-             history.probes, {{"meaning", "v, w, u, p, in V and rho_f V^2"}});
-}
-
 void write_history(const FluidHistory& history, const Span& span, const Settings& settings,
                    const std::filesystem::path& folder) {
   if (!ranks::is_leading()) return;
@@ -201,7 +200,7 @@ void write_history(const FluidHistory& history, const Span& span, const Settings
   hdf5::Writer file(folder / "history.h5");
   file.attributes({{"kind", history.flag.empty() ? "fluid_history" : "coupled_history"},
                    {"span", span.length()}});
-  write_history(history, span.planes(), count, file);
+  write_arrays(history, span.planes(), count, file);
   if (count > 0) {
     file.write("/probe_y", {count}, probes.y, {{"meaning", "in L"}});
     file.write("/probe_z", {count}, probes.z, {{"meaning", "in L"}});

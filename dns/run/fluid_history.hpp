@@ -43,8 +43,6 @@ void add_row(const Fluid&, const FluidState&, const FluidStepSummary&, const Pro
 void write_history(const FluidHistory&, const Span&, const Settings&,
                    const std::filesystem::path& folder);
 
-/// The same as part of a checkpoint.
-void write_history(const FluidHistory&, int planes, std::size_t probes, hdf5::Writer&);
 /// What the history of a checkpoint must fit.
 struct HistoryInCheckpoint {
   double t;  ///< of the checkpoint
@@ -52,8 +50,8 @@ struct HistoryInCheckpoint {
   std::size_t probes;
   bool is_coupled;
 };
-/// Without rows where the run was stopped before the first one. Throws InputError where it does not
-/// fit.
+/// The history in a checkpoint of an earlier version; without rows where the run was stopped before
+/// the first one. Throws InputError where it does not fit.
 FluidHistory read_fluid_history(const hdf5::Reader&, const HistoryInCheckpoint&);
 
 }  // namespace pennon::dns

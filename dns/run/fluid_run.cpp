@@ -74,6 +74,8 @@ class Flow {
     most_.least_area = std::min(most_.least_area, fluid.least_area);
     most_.largest_wall_area = std::max(most_.largest_wall_area, fluid.largest_wall_area);
   }
+  void keep_state() { body_->keep_state(); }
+  void restore_state() { body_->restore_state(); }
   std::string words_of_step() const {
     std::string words =
         fmt::format("step {} at t = {:.4g}, CFL {:.2f}, {} pressure iterations", step_, time(),
@@ -105,23 +107,23 @@ class Flow {
     write_state(state(), fluid_, file);
     if (!file) return;
     file->attributes({{"dt", steps_.dt()}, {"step", step_}});
-    if (!field_times_.empty()) file->write("/field_times", {field_times_.size()}, field_times_);
     body_->write(*file);
-    if (has_rows())
-      write_history(history_, fluid_.span().planes(), settings_.probes.y.size(), *file);
-    write_shapes(history_.shapes, *file);
+  }
+  HistoryCount history_count() const {
+    return {history_.rows.size(), history_.shapes.times.size(), field_times_.size()};
+  }
+  void add_records(const HistoryCount& first, RecordFile& file) const {
+    add_rows(history_, first.rows, file);
+    add_shapes(history_.shapes, first.shapes, file);
+    add_fields(field_times_, first.fields, file);
   }
   void read(const hdf5::Reader& file) {
     state() = read_fluid_state(file, fluid_);
     steps_.go_on_with(positive_number(file, "dt"));
     step_ = file.counted("/", "step");
-    if (file.contains("/field_times")) field_times_ = file.list("/field_times");
-    remove_later_fields();
     body_->read(file);
-    history_ = read_fluid_history(file, {.t = time(),
-                                         .planes = fluid_.span().planes(),
-                                         .probes = settings_.probes.y.size(),
-                                         .is_coupled = !settings_.motion.is_given});
+    read_history(file);
+    remove_later_fields();
   }
 
   FluidRunResult result(const LoopSummary& loop) const {
@@ -141,6 +143,21 @@ class Flow {
   }
 
  private:
+  void read_history(const hdf5::Reader& file) {
+    const HistoryInCheckpoint expected{.t = time(),
+                                       .planes = fluid_.span().planes(),
+                                       .probes = settings_.probes.y.size(),
+                                       .is_coupled = !settings_.motion.is_given};
+    const auto take = [&](const auto& path, HistoryRecord kind, std::span<const double> record) {
+      if (kind == row_record) take_row(path, record, expected, history_);
+      if (kind == shape_record) take_shape(path, record, history_.shapes);
+      if (kind == field_record) take_field(path, record, field_times_);
+    };
+    if (read_history_records(file, take)) return;
+    if (file.contains("/field_times")) field_times_ = file.list("/field_times");
+    history_ = read_fluid_history(file, expected);
+  }
+
   static std::string fields_name(std::size_t k) { return fmt::format("fields_{:05}.h5", k); }
 
   // Those that the run wrote after the checkpoint from which it goes on: they may differ from what

@@ -38,7 +38,7 @@ void expect_shape(const Settings& settings, const FlagMesh& mesh,
 }  // namespace
 
 double memory_of_fluid(double cells) {
-  constexpr double of_cell = 780;
+  constexpr double of_cell = 910;
   return of_cell * cells;
 }
 

@@ -15,8 +15,8 @@ namespace pennon::dns {
 void expect_start(const Settings&, const FlagParameters&, bool has_flow,
                   const std::optional<ShapeFunction>& zeta);
 
-/// Bytes that a run takes on so many cells, of all ranks together: 780 a cell, as the peak memory
-/// grows between 200 x 400 and 400 x 800 cells of a coupled run, and between 16 and 32 planes.
+/// Bytes that a run takes on so many cells, of all ranks together: 910 a cell, as the peak memory
+/// grows between 200 x 400 and 400 x 800 cells of a coupled run; it is somewhat more with a span.
 double memory_of_fluid(double cells);
 
 }  // namespace pennon::dns

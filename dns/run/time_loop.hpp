@@ -14,6 +14,7 @@
 #include "common/parallel/ranks.hpp"
 #include "common/progress.hpp"
 #include "common/stop_watch.hpp"
+#include "dns/run/history_records.hpp"
 #include "dns/run/output_settings.hpp"
 #include "dns/run/restart.hpp"
 #include "dns/run/schedule.hpp"
@@ -23,12 +24,15 @@ namespace pennon::dns {
 /// What the loop advances. Every rank calls every function.
 template <class Body>
 concept RunsThroughTime = requires(Body body, const Body& self, hdf5::Writer* file,
-                                   const hdf5::Reader& reader) {
+                                   const hdf5::Reader& reader, const HistoryCount& count,
+                                   RecordFile& records) {
   { self.name() } -> std::convertible_to<std::string>;  ///< for the bar of progress
   { self.time() } -> std::same_as<double>;
   { self.is_at_end() } -> std::same_as<bool>;
   body.start();  ///< from the case, with what is kept of t = 0
-  body.step();   ///< throws SolverError
+  body.step();   ///< throws SolverError, and Interrupted where it leaves a step that takes long
+  body.keep_state();     ///< all that the next step depends on,
+  body.restore_state();  ///< and back, to be written; no step follows
   { self.words_of_step() } -> std::convertible_to<std::string>;
 
   body.keep_row();
@@ -41,7 +45,11 @@ concept RunsThroughTime = requires(Body body, const Body& self, hdf5::Writer* fi
   /// "a checkpoint of a flag".
   { self.checkpoint_kind() } -> std::convertible_to<std::string>;
   { self.words_of_checkpoint() } -> std::convertible_to<std::string>;
-  self.write(file);  ///< all but the kind; null but on the leading rank
+  self.write(file);  ///< all but the kind and the history; null but on the leading rank
+  /// What is kept of the history so far; adds to the file, on the leading rank, what comes behind
+  /// the first so many.
+  { self.history_count() } -> std::same_as<HistoryCount>;
+  self.add_records(count, records);
   body.read(reader);
 };
 
@@ -101,8 +109,12 @@ class TimeLoop {
 
   void step() {
     const StopWatch watch;
+    body_.keep_state();
     try {
       body_.step();
+    } catch (const Interrupted&) {
+      body_.restore_state();
+      stop();
     } catch (const SolverError& fault) {
       if (body_.has_rows()) body_.write_results();
       const std::string saved = summary_.checkpoint.empty()
@@ -141,10 +153,23 @@ class TimeLoop {
       pennon::dns::write(beginning_.the_case, *file);
     }
     body_.write(file ? &*file : nullptr);
-    if (file) file->write_contents();
-    if (file) file->finish();
+    if (file) {
+      pennon::dns::write(append_history(), *file);
+      file->write_contents();
+      file->finish();
+      records_->remove_others();
+    }
     summary_.checkpoint = path.string();
     since_checkpoint_.lap();
+  }
+
+  // What the run has kept since the last checkpoint goes behind the rest, before a checkpoint that
+  // counts on it takes the place of the last one.
+  RecordsEnd append_history() {
+    if (!records_) records_.emplace(folder_.path(), checkpoint_stem);
+    body_.add_records(recorded_, *records_);
+    recorded_ = body_.history_count();
+    return records_->flush();
   }
 
   void read_checkpoint(const std::filesystem::path& path) {
@@ -153,7 +178,21 @@ class TimeLoop {
       file.fail("is not " + std::string(body_.words_of_checkpoint()));
     file.expect_contents();
     body_.read(file);
+    go_on_with_records_of(file);
     summary_.checkpoint = path.string();
+  }
+
+  // In the folder of the checkpoint the run writes on behind its history; in another one it begins
+  // a file that will have all of it.
+  void go_on_with_records_of(const hdf5::Reader& file) {
+    const std::optional<RecordsEnd> records = records_of(file);
+    const std::filesystem::path folder = file.path().parent_path();
+    std::error_code ignored;
+    if (!records ||
+        !std::filesystem::equivalent(folder.empty() ? "." : folder, folder_.path(), ignored))
+      return;
+    records_.emplace(folder_.path(), checkpoint_stem, *records);
+    recorded_ = body_.history_count();
   }
 
   Body& body_;
@@ -162,6 +201,8 @@ class TimeLoop {
   const Beginning& beginning_;
   const OutputFolder& folder_;
   LoopSummary summary_;
+  std::optional<RecordFile> records_;  // of the leading rank: the history beside the checkpoints
+  HistoryCount recorded_;              // what lies in it
   StopWatch since_checkpoint_;
 };
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -52,6 +53,25 @@ constexpr const char* modes_case =
     "[modes.global]\nn_modes = 2\ntarget = [0.4, 2.6]\nadjoint = true\nn_rho = 12\nn_theta = 24\n"
     "R = 3\nwall_spacing = 0.1\n";
 
+// One to three words changed, or some inserted, taken out, or cut off.
+std::string damage_bytes(std::string bytes, std::uint64_t seed, const fs::path& copy) {
+  std::mt19937_64 engine(seed);
+  const auto below = [&](std::size_t count) { return static_cast<std::size_t>(engine() % count); };
+  std::string what;
+  for (std::size_t changes = 1 + below(3); changes > 0 && !bytes.empty(); --changes) {
+    const std::size_t place = below(bytes.size()), length = 1 + below(40);
+    const std::size_t kind = below(5);
+    what += fmt::format("change {} of {} bytes at {}; ", kind, length, place);
+    if (kind == 0) bytes[place] = static_cast<char>(bytes[place] ^ (1 << below(8)));
+    if (kind == 1) bytes.insert(place, length, static_cast<char>(below(256)));
+    if (kind == 2) bytes.erase(place, length);
+    if (kind == 3) bytes.resize(place);
+    if (kind == 4) bytes += std::string(length, static_cast<char>(below(256)));  // a torn tail
+  }
+  write_text(copy, bytes);
+  return what;
+}
+
 }  // namespace
 
 ForeignFiles::ForeignFiles() {
@@ -77,7 +97,31 @@ fs::path ForeignFiles::run(const std::string& command, const std::string& name,
 
 void ForeignFiles::add(const std::string& name, const fs::path& file, Read read) {
   read(file);  // as it is, it is taken
-  kinds_.push_back({name, Hdf5Mutator(file), std::move(read)});
+  kinds_.push_back({name, folder_ / "damaged.h5",
+                    [mutator = Hdf5Mutator(file)](std::uint64_t seed, const fs::path& copy) {
+                      return mutator.write(seed, copy);
+                    },
+                    std::move(read)});
+}
+
+// The history beside the checkpoint, damaged, with the checkpoint as it is; and the checkpoint,
+// damaged, with the history beside it.
+void ForeignFiles::add_records(const std::string& name, const fs::path& checkpoint,
+                               const Read& restart) {
+  fs::path records;
+  for (const auto& entry : fs::directory_iterator(checkpoint.parent_path()))
+    if (entry.path().extension() == ".rows") records = entry.path();
+  fs::copy_file(records, folder_ / records.filename().string());
+  add("restart of " + name, checkpoint, restart);
+  const fs::path apart = folder_ / (name + " apart");
+  fs::create_directory(apart);
+  const fs::path copy = apart / "checkpoint.h5";
+  fs::copy_file(checkpoint, copy);
+  kinds_.push_back({"history of " + name, apart / records.filename(),
+                    [bytes = read_text(records)](std::uint64_t seed, const fs::path& damaged) {
+                      return damage_bytes(bytes, seed, damaged);
+                    },
+                    [copy, restart](const fs::path&) { restart(copy); }});
 }
 
 void ForeignFiles::add_pictures(const fs::path& folder, const std::vector<std::string>& names) {
@@ -127,7 +171,7 @@ void ForeignFiles::add_modes() {
 void ForeignFiles::add_flag() {
   const fs::path folder = run("dns", "flag", flag_case);
   add_pictures(folder, {"history", "shapes"});
-  add("restart of a flag", folder / "checkpoint.h5", [this, folder](const fs::path& file) {
+  add_records("a flag", folder / "checkpoint.h5", [this, folder](const fs::path& file) {
     const app::Case the_case(folder / "case.resolved.toml", {}, {.dns = true});
     const dns::Beginning beginning =
         dns::beginning_at(file, resolved_text(the_case.schema), 0.105, false);
@@ -141,7 +185,7 @@ void ForeignFiles::add_flag() {
 void ForeignFiles::add_flow() {
   const fs::path folder = run("dns", "flow", flow_case);
   add_pictures(folder, {"history", "shapes", "fields_00001"});
-  add("restart of flag and flow", folder / "checkpoint.h5", [this, folder](const fs::path& file) {
+  add_records("flag and flow", folder / "checkpoint.h5", [this, folder](const fs::path& file) {
     const app::Case the_case(folder / "case.resolved.toml", {}, {.dns = true});
     const dns::Beginning beginning =
         dns::beginning_at(file, resolved_text(the_case.schema), 0.21, false);
@@ -189,12 +233,11 @@ Answers ForeignFiles::damage(std::int64_t count, std::uint64_t first) {
   for (std::int64_t k = 0; k < count; ++k) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(k);
     const Kind& kind = kinds_[seed % kinds_.size()];
-    const fs::path copy = folder_ / "damaged.h5";
     const std::string what =
-        fmt::format("seed {}, {}: {}", seed, kind.name, kind.mutator.write(seed, copy));
+        fmt::format("seed {}, {}: {}", seed, kind.name, kind.damage(seed, kind.damaged));
     alarm(patience);
     try {
-      kind.read(copy);
+      kind.read(kind.damaged);
       ++answers.taken[kind.name];
     } catch (const InputError&) {
       ++answers.refused[kind.name];

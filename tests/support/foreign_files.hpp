@@ -1,5 +1,6 @@
-/// Whether all that reads HDF5 files answers a damaged one in words: each kind of file that pennon
-/// writes is damaged in many ways (hdf5_mutator.hpp) and handed to what reads it.
+/// Whether all that reads HDF5 files, or the records beside a checkpoint, answers a damaged one in
+/// words: each kind of file that pennon writes is damaged in many ways (hdf5_mutator.hpp) and
+/// handed to what reads it.
 #pragma once
 
 #include <cstdint>
@@ -32,15 +33,20 @@ class ForeignFiles {
 
  private:
   using Read = std::function<void(const std::filesystem::path&)>;
+  /// Writes a damaged copy; says what is wrong with it.
+  using Damage = std::function<std::string(std::uint64_t seed, const std::filesystem::path& copy)>;
   struct Kind {
     std::string name;
-    Hdf5Mutator mutator;
+    std::filesystem::path damaged;  ///< where the copy goes
+    Damage damage;
     Read read;
   };
 
   std::filesystem::path run(const std::string& command, const std::string& name,
                             const std::string& case_text);
   void add(const std::string& name, const std::filesystem::path& file, Read);
+  void add_records(const std::string& name, const std::filesystem::path& checkpoint,
+                   const Read& restart);
   void add_pictures(const std::filesystem::path& folder, const std::vector<std::string>& names);
   void add_lsa();
   void add_modes();

@@ -17,6 +17,7 @@ using test::bad_input;
 using test::done;
 using test::Outcome;
 using testing::HasSubstr;
+using testing::Not;
 
 class Compare : public test::Commands {
  protected:
@@ -72,6 +73,78 @@ TEST_F(Compare, GoesOverTheWavesOfTheSpanAndSaysThatThereIsNoRun) {
   EXPECT_EQ(rows[1].at("unstable"), false);
   const json problem = json::parse(test::read_text(results() + "/global_1/global_modes.json"));
   EXPECT_EQ(rows[1].at("growth"), problem.at("global").at("modes")[0].at("growth"));
+}
+
+TEST_F(Compare, TakesTheGlobalModesThatLieThereForTheSameProblem) {
+  const std::string file = case_file(0.3);
+  const auto compare = [&](const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"compare", file, "--output", results("all/compare")};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = pennon(words);
+    EXPECT_EQ(outcome.status, done) << outcome.err;
+    return outcome.out;
+  };
+  const auto growth = [&] {
+    return json::parse(test::read_text(results("all/compare") + "/summary.json"))
+        .at("compare")[1]
+        .at("growth")
+        .get<double>();
+  };
+  const auto uses = [&](const std::string& folder) {
+    return HasSubstr("are those in " + results(folder));
+  };
+  const std::string modes = results("all/modes");
+  ASSERT_EQ(pennon({"modes", file, "--quiet", "--output", modes}).status, done);
+  EXPECT_THAT(compare(), uses("all/modes"));
+  const json there = json::parse(test::read_text(modes + "/global_modes.json"));
+  EXPECT_EQ(growth(), there.at("global").at("modes")[0].at("growth"));
+  EXPECT_FALSE(std::filesystem::exists(results("all/compare/global_0/global_modes.json")));
+
+  // Of another flag they are found, and are there for the next time.
+  EXPECT_THAT(compare({"--force", "--set", "flag.K_B=2e-3"}), Not(HasSubstr("are those in")));
+  const double of_other = growth();
+  EXPECT_NE(of_other, there.at("global").at("modes")[0].at("growth"));
+  EXPECT_THAT(compare({"--set", "flag.K_B=2e-3"}), uses("all/compare/global_0"));
+  EXPECT_EQ(growth(), of_other);
+
+  // Not of another version, nor damaged.
+  const std::string problem = modes + "/global_problem.toml";
+  const std::string text = test::read_text(problem);
+  ASSERT_NE(text.find("pennon-global"), std::string::npos);
+  test::write_text(problem,
+                   "# What pennon-global 0.0 (older) solved.\n" + text.substr(text.find('\n') + 1));
+  std::filesystem::remove_all(results("all/compare"));
+  EXPECT_THAT(compare(), Not(HasSubstr("are those in")));
+  std::filesystem::remove_all(results("all/compare"));
+  test::write_text(problem, text);
+  test::write_text(modes + "/global_modes.json", "{");
+  EXPECT_THAT(compare(), Not(HasSubstr("are those in")));
+}
+
+// The modes of no wave are found before those of one.
+TEST_F(Compare, GoesOnAfterAnInterruptWithTheModesThatItFound) {
+  const std::string file = case_file(0.3, "gamma = 2\n");
+  const std::vector<std::string> words = {"compare",  file,     "--set", "compare.waves=[0, 1]",
+                                          "--output", results()};
+  // The answer to another question must not stay beside a question without an answer.
+  std::filesystem::create_directories(results() + "/global_1");
+  test::write_text(results() + "/global_1/global_modes.json", "{}");
+  const pid_t child = start_in_background(words);
+  while (!std::filesystem::exists(results() + "/global_1/global_problem.toml") &&
+         waitpid(child, nullptr, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(child, SIGTERM);
+  const Outcome stopped = finish(child);
+  EXPECT_EQ(stopped.status, test::other);
+  EXPECT_THAT(stopped.err, HasSubstr("stopped by SIGTERM; the global modes found before are kept"));
+  EXPECT_FALSE(std::filesystem::exists(results() + "/global_1/global_modes.json"));
+  const auto time_of_0 =
+      std::filesystem::last_write_time(results() + "/global_0/global_modes.json");
+  const Outcome outcome = pennon(words);
+  ASSERT_EQ(outcome.status, done) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("with 0 waves along the span are those in"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("with 1 waves along the span are those in")));
+  EXPECT_EQ(std::filesystem::last_write_time(results() + "/global_0/global_modes.json"), time_of_0);
 }
 
 TEST_F(Compare, RefusesTheRunOfAnotherFlag) {
