@@ -13,6 +13,7 @@
 #include "common/parallel/exit_code.hpp"
 #include "common/parallel/ranks.hpp"
 #include "common/petsc/petsc.hpp"
+#include "common/process/local_mpi.hpp"
 #include "common/standard_streams.hpp"
 #include "modes/global/solve/slepc/krylov_schur.hpp"
 #include "modes/global/solve/slepc/mumps_factors.hpp"
@@ -82,6 +83,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   keep_standard_streams();
+  need_no_ssh();
   watch_for_interrupts();
   return exit_code_of([&] { return run(argc, argv); });
 }

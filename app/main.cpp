@@ -13,6 +13,7 @@
 #include "common/interrupt.hpp"
 #include "common/parallel/exit_code.hpp"
 #include "common/petsc/petsc.hpp"
+#include "common/process/local_mpi.hpp"
 #include "common/record/version.hpp"
 #include "common/standard_streams.hpp"
 
@@ -151,6 +152,7 @@ bool is_parallel() {
 
 int main(int argc, char** argv) {
   keep_standard_streams();
+  need_no_ssh();
   watch_for_interrupts();
   return exit_code_of([&] {
     if (is_parallel()) petsc::start();

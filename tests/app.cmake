@@ -11,11 +11,13 @@ pennon_test(test_app
     regression/app/folders.cpp
     regression/app/global.cpp
     regression/app/kept_history.cpp
+    regression/app/long_step.cpp
     regression/app/named_keys.cpp
   LINK pennon::analysis_figures Boost::headers GTest::gmock)
 pennon_test(test_app_validation
   SOURCES
     validation/app/compare_table1.cpp
+    validation/app/long_step.cpp
     validation/dns/coupling/coupled_cases.cpp
     validation/modes/global/convergence.cpp
   SEPARATE

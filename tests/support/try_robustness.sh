@@ -230,6 +230,7 @@ begin "the world outside"
 count "standard output full" answers 1 "" bash -c "exec '$pennon' lsa coupled.toml --output full >/dev/full"
 count "standard output closed" answers 1 "" bash -c "exec '$pennon' lsa coupled.toml --output full --force >&-"
 mkdir bin && ln -s "$(command -v env)" bin/env
+count "no ssh" answers 0 "" env PATH="$folder/bin" "$pennon" dns span.toml --quiet --set dns.t_end=0.02 --output no_ssh
 count "no gnuplot" answers 0 "" env PATH="$folder/bin" "$pennon" modes coupled.toml --output no_gnuplot
 printf '#!/bin/sh\nexit 1\n' >bin/gnuplot && chmod +x bin/gnuplot
 count "a gnuplot that fails" answers 0 "" env PATH="$folder/bin:/usr/bin:/bin" "$pennon" modes coupled.toml --output bad_gnuplot

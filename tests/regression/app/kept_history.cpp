@@ -1,5 +1,4 @@
-/// A run's history beside its checkpoint, as a user meets it: killed, torn, moved, of another run;
-/// and steps that are left half-way.
+/// A run's history beside its checkpoint, as a user meets it: killed, torn, moved, of another run.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -261,60 +260,6 @@ TEST_F(KeptHistory, IsReadFromCheckpointsOfAnEarlierVersionToo) {
 }
 
 // --- Steps that take long
-
-class LongStep : public KeptHistory {
- protected:
-  // Sends SIGTERM within the second step, once the checkpoint after the first is there.
-  void stop_in_second_step(Words words, const std::string& folder, int ranks) {
-    words.insert(words.end(), {"--output", results(folder)});
-    setenv("OMPI_MCA_odls_base_sigkill_timeout", "5", 1);
-    const pid_t child =
-        ranks == 1 ? start_in_background(words) : start_in_background_on(ranks, words);
-    unsetenv("OMPI_MCA_odls_base_sigkill_timeout");
-    while (!fs::exists(checkpoint_in(folder)) && waitpid(child, nullptr, WNOHANG) == 0)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    t_ = hdf5::Reader(checkpoint_in(folder)).number("/", "t");
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    // mpiexec waits a second before it passes a signal on; to the ranks it comes at once from here.
-    kill(ranks == 1 ? child : child_of(child), SIGTERM);
-    const Outcome outcome = finish(child);
-    EXPECT_EQ(outcome.status, other) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("--restart")) << folder;
-  }
-  void expect_left(const Words& words, const std::string& name, int ranks) {
-    ASSERT_NO_FATAL_FAILURE(run_to_the_end(words, name + "_whole", ranks));
-    const std::string parts = name + "_parts";
-    ASSERT_NO_FATAL_FAILURE(stop_in_second_step(words, parts, ranks));
-    EXPECT_EQ(hdf5::Reader(checkpoint_in(parts)).number("/", "t"), t_)
-        << "the second step was not left";
-    Words rest = words;
-    rest.insert(rest.end(), {"--restart", checkpoint_in(parts)});
-    ASSERT_NO_FATAL_FAILURE(run_to_the_end(rest, parts, ranks));
-    EXPECT_EQ(read_text(results(parts) + "/history.csv"),
-              read_text(results(name + "_whole") + "/history.csv"));
-  }
-
-  double t_ = 0;  // after the first step
-};
-
-TEST_F(LongStep, OfFlagAndFlowIsLeftAtASignalAndTakenAgainToTheSameBits) {
-  const std::string file = test::write_text(
-      folder_ / "span.toml",
-      "[flag]\nmu = 0.125\nK_B = 1e-4\ndamping = 0.02\ngamma = 2\n[flow]\nRe = 500\n[dns]\n"
-      "n_x = 16\nn_rho = 128\nn_theta = 384\nwall_spacing = 0.01\ndt = 1e-3\nt_end = 2e-3\n"
-      "first_dt = 1e-3\n[dns.initial]\nA = [0.05, 0.01]\n[dns.output]\n"
-      "checkpoint_interval = 1e-3\n");
-  for (const int ranks : {1, 2})
-    ASSERT_NO_FATAL_FAILURE(expect_left({"dns", file}, fmt::format("on{}", ranks), ranks));
-}
-
-TEST_F(LongStep, OfAFlagIsLeftAtASignalAndTakenAgainToTheSameBits) {
-  const std::string file = test::write_text(
-      folder_ / "flag.toml",
-      "[flag]\nmu = 1\nK_B = 1e-3\n[dns]\ndt = 0.01\nt_end = 0.02\n[dns.flag]\nn_y = 20000\n"
-      "[dns.initial]\nangle = 0.2\n[dns.output]\ncheckpoint_interval = 0.01\n");
-  expect_left({"dns", file}, "flag", 1);
-}
 
 }  // namespace
 }  // namespace pennon
