@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -73,6 +74,18 @@ class Commands : public testing::Test {
     arguments.insert(arguments.begin(),
                      {PENNON_MPIEXEC, "-n", std::to_string(ranks), PENNON_EXECUTABLE});
     return start_program(arguments, folder_ / "out.txt", folder_ / "err.txt");
+  }
+  /// The pennon that mpiexec, a child, has started: the last one.
+  static pid_t child_of(pid_t parent) {
+    namespace fs = std::filesystem;
+    const std::string process = "/proc/" + std::to_string(parent);
+    std::ifstream children(process + "/task/" + std::to_string(parent) + "/children");
+    pid_t child = parent;
+    for (pid_t each = 0; children >> each;)
+      if (fs::read_symlink("/proc/" + std::to_string(each) + "/exe") ==
+          fs::canonical(PENNON_EXECUTABLE))
+        child = each;
+    return child;
   }
   Outcome pennon_on(int ranks, const std::vector<std::string>& arguments) {
     return finish(start_in_background_on(ranks, arguments));

@@ -81,7 +81,7 @@ TEST_F(Checks, SayHowMuchMemoryTheFieldsTake) {
   expect_fault(
       {"dns", case_file("[flag]\nmu = 0.1\ngamma = 1\n[flow]\nRe = 100\n[dns]\n"
                         "n_x = 1000\nn_rho = 1000\nn_theta = 1000\n")},
-      "dns.n_rho = 1000 makes 1e+09 cells with n_theta and n_x, which take some 7.8e+02 GB");
+      "dns.n_rho = 1000 makes 1e+09 cells with n_theta and n_x, which take some 9.1e+02 GB");
 }
 
 TEST_F(Checks, NameThePartOfARangeThatIsWrong) {

@@ -101,14 +101,6 @@ class KeptHistory : public test::Commands {
     if (waitpid(child, &status, 0) < 0) return false;
     return !WIFEXITED(status) || WEXITSTATUS(status) != done;
   }
-  static pid_t child_of(pid_t parent) {
-    std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", parent));
-    pid_t child = parent;
-    for (pid_t each = 0; children >> each;)
-      if (fs::read_symlink(fmt::format("/proc/{}/exe", each)) == fs::canonical(PENNON_EXECUTABLE))
-        child = each;
-    return child;
-  }
   void expect_same_after_kills(const Words& words, int kills, int longest_ms, int ranks = 1) {
     std::mt19937 engine(7);
     std::uniform_int_distribution<int> wait(0, 1000 * longest_ms);
