@@ -230,18 +230,16 @@ TEST_F(Foreign, ArraysThatHoldLessThanTheySayAreRefusedBeforeMemoryIsTaken) {
 
 // 8 x 2^61 values are 0 in 64 bits; the one chunk that is there holds more than 8.
 TEST_F(Foreign, ArraysWhoseNumberOfValuesOverflowsAreRefused) {
-  const hsize_t extents[] = {8, 1ULL << 61}, chunk[] = {8, 8}, first[] = {0, 0}, one[] = {1, 1};
+  const hsize_t written[] = {8, 8}, most[] = {8, H5S_UNLIMITED}, said[] = {8, 1ULL << 61};
   const hid_t storage = H5Pcreate(H5P_DATASET_CREATE);
-  H5Pset_chunk(storage, 2, chunk);
-  const hid_t space = H5Screate_simple(2, extents, nullptr);
+  H5Pset_chunk(storage, 2, written);
+  const hid_t space = H5Screate_simple(2, written, most);
   const hid_t made =
       H5Dcreate2(file_, "overflow", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, storage, H5P_DEFAULT);
-  ASSERT_GE(made, 0);
-  H5Sselect_hyperslab(space, H5S_SELECT_SET, first, nullptr, one, nullptr);
-  const hid_t memory = H5Screate_simple(2, one, nullptr);
-  const double value = 1;
-  ASSERT_GE(H5Dwrite(made, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, &value), 0);
-  for (const hid_t each : {space, memory}) H5Sclose(each);
+  const std::vector<double> values = count_to(64);
+  ASSERT_GE(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  ASSERT_GE(H5Dset_extent(made, said), 0);
+  H5Sclose(space);
   H5Dclose(made);
   EXPECT_THROW((void)reader().shape("overflow"), InputError);
 }
