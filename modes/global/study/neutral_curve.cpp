@@ -10,6 +10,7 @@
 #include "common/stop_watch.hpp"
 #include "modes/global/map/sampled_fit.hpp"
 #include "modes/global/study/linearisation.hpp"
+#include "modes/global/study/mode_search.hpp"
 
 namespace pennon::modes::global {
 namespace {

