@@ -16,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using test::bad_input;
 using test::done;
-using test::other;
 using test::Outcome;
 using test::read_text;
 using testing::HasSubstr;

@@ -1,10 +1,9 @@
 /// The history of a run as records beside its checkpoint, and what a checkpoint costs.
 #include "dns/run/history_records.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <fmt/format.h>
 
 #include <cmath>
 #include <fstream>
@@ -122,7 +121,9 @@ TEST_F(HistoryRecords, HoldTheHistoryOfAFlagAndItsShapes) {
 
 TEST_F(HistoryRecords, RefuseRowsOfAnotherCaseOrTime) {
   const HistoryInCheckpoint expected{t_of_checkpoint, 2, 1, true};
-  const std::size_t size = fluid_columns + coupled_columns + 2 * 3 + 2 * 3 + 2 * 4;
+  // Forces and trailing edges on two planes, and two probes.
+  const std::size_t planes = 2, probes = 2,
+                    size = fluid_columns + coupled_columns + planes * 3 + planes * 3 + probes * 4;
   const auto refusal = [&](const std::vector<double>& record) {
     FluidHistory history = history_of(2, 2, 1, true);  // the last at t = 1
     return failure_of<InputError>([&] { take_row(path_, record, expected, history); });
@@ -179,13 +180,16 @@ TEST_F(HistoryRecords, AreNamedByTheirCheckpoint) {
     return failure_of<InputError>([&] { found(text); });
   };
   EXPECT_THAT(refusal(R"({"format":3})"), HasSubstr("is of format 3"));
+  const auto rows = [](const std::string& file, const std::string& bytes,
+                       const std::string& checksum) {
+    return fmt::format(R"({{"format":2,"file":{},"bytes":{},"checksum":{}}})", file, bytes,
+                       checksum);
+  };
   const std::string number = R"("0123456789abcdef")";
   for (const std::string& bad :
        {std::string("x"), std::string("[]"), std::string("{}"),
-        R"({"format":2,"file":"../../../../etc","bytes":8,"checksum":)" + number + "}",
-        R"({"format":2,"file":)" + number + R"(,"bytes":-8,"checksum":)" + number + "}",
-        R"({"format":2,"file":)" + number + R"(,"bytes":"8","checksum":)" + number + "}",
-        R"({"format":2,"file":)" + number + R"(,"bytes":8,"checksum":7})"})
+        rows(R"("../../../../etc")", "8", number), rows(number, "-8", number),
+        rows(number, R"("8")", number), rows(number, "8", "7")})
     EXPECT_THAT(refusal(bad), HasSubstr("/rows")) << bad;
 }
 
