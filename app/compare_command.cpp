@@ -74,6 +74,7 @@ ComparedModel global_row(const Case& the_case, std::int64_t waves, const ModesPl
   settings.k_x = k_x_of(waves, the_case.flag);
   settings.n_modes = std::max<std::int64_t>(settings.n_modes, 1);
   settings.neutral.is_given = settings.map.is_given = false;
+  settings.frames = 0;
   constexpr std::int64_t fewest_nodes = 3;
   if (waves > 0) settings.n_x = std::max(fewest_nodes, the_case.dns.n_x / waves);
   const modes::global::Problem problem(the_case.flag, the_case.flow, settings);
@@ -82,15 +83,17 @@ ComparedModel global_row(const Case& the_case, std::int64_t waves, const ModesPl
       .model = "global",
       .waves = waves,
       .wall_seconds = found.base_seconds + found.operator_seconds + found.eigen_seconds};
-  if (found.converged == 0) {
+  const auto first = std::ranges::find_if(found.modes, [](const modes::global::GlobalMode& mode) {
+    return mode.kind != modes::global::ModeKind::box;
+  });
+  if (first == found.modes.end()) {
     notes.push_back(fmt::format(
         "all global modes found with {} waves along the span belong to the box in which the flow "
         "is computed; a larger modes.global.R, or modes.global.target, may find the flag's",
         waves));
     return row;
   }
-  // Those of the box are behind the others.
-  const std::complex<double> lambda = found.modes.front().lambda;
+  const std::complex<double> lambda = first->lambda;
   const double frequency = lambda.imag() / (2 * std::numbers::pi);
   row.growth = lambda.real();
   row.frequency = std::abs(frequency);

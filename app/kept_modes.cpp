@@ -15,8 +15,8 @@ std::string heading_of_problem() {
 }
 
 bool changes_modes(const std::string& key) {
-  return key != "modes.global.ranks" && !key.starts_with("modes.global.neutral.") &&
-         !key.starts_with("modes.global.map.");
+  return key != "modes.global.ranks" && key != "modes.global.frames" &&
+         !key.starts_with("modes.global.neutral.") && !key.starts_with("modes.global.map.");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <iostream>
 #include <string>
 
 #include "app/commands.hpp"
@@ -137,7 +138,9 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {
     const int status = app.exit(fault);
-    app::print("");  // what --help and --version have said must have come out
+    // What --help and --version have said must have come out.
+    if (!std::cout.flush()) throw FileError("the answer cannot be written to standard output");
+    app::print("");
     return status == 0 ? exit_done : exit_bad_input;
   }
   return exit_done;

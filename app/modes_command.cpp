@@ -8,6 +8,7 @@
 #include "app/global_pictures.hpp"
 #include "app/global_process.hpp"
 #include "app/pictures.hpp"
+#include "modes/global/study/coupled_problem.hpp"
 #include "modes/global/study/modes_report.hpp"
 #include "modes/normal/report.hpp"
 
@@ -63,6 +64,7 @@ Answer global_modes(const Case& the_case, const OutputFolder& folder, bool shows
 
 void run_modes(const Options& options) {
   const auto expect = [](const Case& the_case) {
+    if (the_case.global_modes.is_given) (void)modes::global::grid_of(the_case.global_modes);
     if (the_case.global_modes.is_given)
       expect_one_rank_for_global_modes();
     else

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 void add_files_of(const fs::path& folder, std::vector<fs::path>& files) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.is_regular_file() && entry.path().extension() == ".h5" &&
-        entry.path().filename() != "checkpoint.h5" &&
-        !entry.path().filename().string().starts_with("."))
+        !entry.path().filename().string().starts_with(".") &&
+        !analysis::has_no_picture(entry.path()))
       files.push_back(entry.path());
 }
 

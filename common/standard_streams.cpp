@@ -1,6 +1,7 @@
 #include "common/standard_streams.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <initializer_list>
@@ -12,6 +13,7 @@ void keep_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) == -1)
       (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  ::signal(SIGPIPE, SIG_IGN);
 }
 
 }  // namespace pennon

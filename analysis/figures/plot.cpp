@@ -37,6 +37,11 @@ Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
 
 }  // namespace
 
+bool has_no_picture(const std::filesystem::path& path) {
+  const std::string kind = hdf5::Reader(path).text("/", "kind");
+  return kind.ends_with("_checkpoint") || kind == "global_mode_frames";
+}
+
 Pictures pictures_of(const std::filesystem::path& path) {
   const hdf5::Reader file(path);
   const std::string kind = file.text("/", "kind");

@@ -19,6 +19,10 @@ struct Pictures {
   std::vector<NamedFigure> figures;  ///< the first has no name: it is the file's own
   std::optional<SurfacePicture> strain;
 };
+/// Whether a file is a checkpoint or the frames of a mode, which have no picture. Throws InputError
+/// where it cannot be read.
+bool has_no_picture(const std::filesystem::path& file);
+
 /// Throws InputError where the file is none of pennon's, or damaged.
 Pictures pictures_of(const std::filesystem::path& file);
 

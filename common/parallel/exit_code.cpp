@@ -1,7 +1,5 @@
 #include "common/parallel/exit_code.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -13,8 +11,14 @@
 namespace pennon {
 namespace {
 
+// Nothing more can be said where standard error cannot be written.
+void write_line(const std::string& text) {
+  const std::string line = printable(text) + "\n";
+  (void)std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
 void say_as_it_is(const std::string& text) {
-  if (ranks::is_leading()) fmt::print(stderr, "{}\n", printable(text));
+  if (ranks::is_leading()) write_line(text);
 }
 
 }  // namespace
@@ -36,7 +40,7 @@ int exit_code_of(const std::function<int()>& program) {
     say(stop.what());
     return exit_other;
   } catch (const std::exception& fault) {
-    fmt::print(stderr, "pennon: {}\n", printable(fault.what()));
+    write_line(std::string("pennon: ") + fault.what());
     if (ranks::count() > 1) ranks::abandon(exit_other);
     return exit_other;
   }

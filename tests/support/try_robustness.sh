@@ -229,6 +229,12 @@ END
 begin "the world outside"
 count "standard output full" answers 1 "" bash -c "exec '$pennon' lsa coupled.toml --output full >/dev/full"
 count "standard output closed" answers 1 "" bash -c "exec '$pennon' lsa coupled.toml --output full --force >&-"
+count "both outputs closed" answers 1 "" bash -c "exec '$pennon' lsa coupled.toml --output full --force >&- 2>&-"
+nobody_reads() {
+  bash -c "'$pennon' lsa coupled.toml --output piped 2>err | true; exit \${PIPESTATUS[0]}"
+  [[ $? == 1 && -f piped/summary.json ]] && grep -q "standard output" err
+}
+count "a pipe that nobody reads" nobody_reads
 mkdir bin && ln -s "$(command -v env)" bin/env
 count "no ssh" answers 0 "" env PATH="$folder/bin" "$pennon" dns span.toml --quiet --set dns.t_end=0.02 --output no_ssh
 count "no gnuplot" answers 0 "" env PATH="$folder/bin" "$pennon" modes coupled.toml --output no_gnuplot

@@ -7,8 +7,9 @@
 /// moves by more than 5 % of |lambda| when R grows by half.
 ///
 /// They crowd as R grows, so that another of them may lie where the first one was. A mode that
-/// stays must therefore also move by less than 2 % of the distance to its next neighbour, and its
-/// growth rate by less than half of what the formula above takes from it.
+/// stays must therefore also move by less than a share of the distance to its next neighbour (2 %,
+/// with much energy at the flag 10 %), and its growth rate by less than half of what the formula
+/// above takes from it.
 #pragma once
 
 #include <array>
@@ -34,9 +35,10 @@ const char* name(ModeKind);
 std::optional<ModeKind> kind_by_shares(const EnergyShares&);
 
 /// Whether the eigenvalue, found with the radius R, is there with the larger one too: `others` are
-/// those next to it with that radius.
+/// those next to it with that radius, and `share_of_gap` is what it may move by of the distance
+/// between the first two of them.
 bool stays(std::complex<double> lambda, std::vector<std::complex<double>> others, double R,
-           double larger_R);
+           double larger_R, double share_of_gap);
 
 /// Finds out kinds. Where the shares leave a doubt the eigenvalues nearby are computed once more
 /// with R grown by half, the cells within R being the same.
@@ -61,7 +63,7 @@ class KindFinder {
     std::vector<std::complex<double>> nearest_to(std::complex<double> lambda) const;
   };
 
-  bool stays_in_larger_box(std::complex<double> lambda);
+  bool stays_in_larger_box(std::complex<double> lambda, double share_of_gap);
 
   const FlagParameters& flag_;
   const FlowParameters& flow_;

@@ -88,9 +88,13 @@ std::string table_of_shapes(const FoundModes& found) {
 
 std::string line_of(const GlobalMode& mode) {
   const auto& [flag, near, wake, outer] = mode.shares;
+  // What is left of the frequency of a mode that does not swing is rounding.
+  constexpr double left = 1e-9;
+  const double omega =
+      std::abs(mode.lambda.imag()) > left * std::abs(mode.lambda) ? mode.lambda.imag() : 0;
   return fmt::format(
       " {:11.6g} {:11.6g} {:11.6g}   {:.1e}      {:8.1e} {:7.1e} {:7.1e} {:7.1e}{}\n",
-      mode.lambda.real(), mode.lambda.imag(), frequency(mode), mode.residual, flag, near, wake,
+      mode.lambda.real(), omega, omega / (2 * std::numbers::pi), mode.residual, flag, near, wake,
       outer, mode.kind == ModeKind::wake ? "  (wake)" : "");
 }
 
@@ -137,16 +141,16 @@ std::string text_of(const FoundModes& found) {
   if (found.converged > 0) text += residual_is_no_error;
   if (found.converged < found.requested)
     text += fmt::format(
-        "  {} of those asked for are not among the {} next to each target: modes.global.target "
-        "says "
-        "where to look\n",
+        "  {} of those asked for are not among the {} pairs next to each target; another\n"
+        "  modes.global.target may find them\n",
         found.requested - found.converged, found.searched);
   if (found.box > 0) {
+    const auto listed = found.modes.end() - first_of_box;
     text += fmt::format(
-        "  {} more belong to the box in which the flow is computed: they move by more than 5 % "
-        "when\n"
-        "  R grows by half, and say nothing about the flag{}\n",
-        found.box, first_of_box == found.modes.end() ? "" : ":");
+        "  {} pairs belong to the box in which the flow is computed and say nothing about the "
+        "flag:\n"
+        "  their energy lies outside, or they move when R grows by half (tried for {}){}\n",
+        found.box, found.checked, listed > 0 ? fmt::format("; {} of them:", listed) : "");
     if (first_of_box != found.modes.end()) text += heading;
     for (auto mode = first_of_box; mode != found.modes.end(); ++mode) text += line_of(*mode);
   }

@@ -180,9 +180,9 @@ TEST_F(HistoryRecords, AreNamedByTheirCheckpoint) {
     return failure_of<InputError>([&] { found(text); });
   };
   EXPECT_THAT(refusal(R"({"format":3})"), HasSubstr("is of format 3"));
-  const auto rows = [](const std::string& file, const std::string& bytes,
+  const auto rows = [](const std::string& name, const std::string& bytes,
                        const std::string& checksum) {
-    return fmt::format(R"({{"format":2,"file":{},"bytes":{},"checksum":{}}})", file, bytes,
+    return fmt::format(R"({{"format":2,"file":{},"bytes":{},"checksum":{}}})", name, bytes,
                        checksum);
   };
   const std::string number = R"("0123456789abcdef")";

@@ -136,7 +136,7 @@ TEST(ModeKind, FollowsFromSharesThatLeaveNoDoubt) {
 TEST(ModeKind, NeedsAnEigenvalueThatStays) {
   constexpr double R = 8, larger_R = 12;
   const auto stays_here = [&](Complex lambda, const std::vector<Complex>& others) {
-    return stays(lambda, others, R, larger_R);
+    return stays(lambda, others, R, larger_R, 0.02);
   };
   const Complex flutter(-0.49731, 6.24542);
   EXPECT_TRUE(stays_here(flutter, {{-0.49777, 6.2453}, {-0.7, 5.5}}));

@@ -53,12 +53,13 @@ TEST(GlobalModesReport, GivesTheJsonThatScriptsRelyOn) {
 
 TEST(GlobalModesReport, ListsTheModesOfTheBoxApart) {
   const std::string text = text_of(global_findings().spectrum);
-  const std::size_t of_flag = text.find("2.6 "), box = text.find("7 more belong to the box"),
+  const std::size_t of_flag = text.find("2.6 "), box = text.find("7 pairs belong to the box"),
                     of_box = text.find("-5.1 ");
   ASSERT_NE(of_box, std::string::npos);
   EXPECT_LT(of_flag, box);
   EXPECT_LT(box, of_box);
-  EXPECT_THAT(text, HasSubstr("2 of those asked for are not among the 12 next to each target"));
+  EXPECT_THAT(text,
+              HasSubstr("2 of those asked for are not among the 12 pairs next to each target"));
   EXPECT_THAT(text, HasSubstr("3 eigenvalues with |lambda| dt > 1 are left out"));
 }
 
