@@ -93,9 +93,11 @@ interrupted() {
   # 124: the signal was sent, and the run ended by itself; 137: it was killed.
   ((status == 0 || status == 124 || status == 137)) || return 1
   [[ ! -f $results/summary.json ]] || return 0 # it was done before
-  # A program that has only begun to load says nothing and leaves nothing.
+  # A program that has only begun to load says nothing and leaves nothing; one that has not begun to
+  # step has nothing to go on from.
   if [[ $signal != KILL && -d $results ]]; then
-    grep -q 'go on with --restart' out || return 1
+    grep -q 'stopped by' out || return 1
+    [[ ! -f $results/checkpoint.h5 ]] || grep -q 'go on with --restart' out || return 1
   fi
   [[ -f $results/checkpoint.h5 ]] && restart=(--restart "$results/checkpoint.h5")
   timeout 120 "${run[@]}" "$pennon" dns "$case.toml" --quiet --force --output "$results" \
