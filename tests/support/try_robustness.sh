@@ -81,17 +81,19 @@ z = [0.25]
 END
 sed 's/^mu/gamma = 2.0\nmu/; s/^dt = 0.01/dt = 0.01\nn_x = 4/; s/t_end = 2.0/t_end = 0.6/' coupled.toml >span.toml
 
-# A run that a signal meets after so many seconds, and that goes on afterwards.
+# A run that a signal meets once (timeout without --foreground sends it twice) after so many seconds,
+# and that goes on afterwards.
 interrupted() {
   local case=$1 signal=$2 after=$3 ranks=$4 run=()
   ((ranks == 1)) || run=(mpiexec --oversubscribe -n "$ranks")
   local results=$case.$signal.$ranks restart=() status
   rm -rf "$results"
-  { timeout --kill-after=30 --signal="$signal" "$after" \
+  { timeout --foreground --kill-after=30 --signal="$signal" "$after" \
     "${run[@]}" "$pennon" dns "$case.toml" --quiet --output "$results" >out 2>&1 </dev/null; } 2>/dev/null
   status=$?
   # 124: the signal was sent, and the run ended by itself; 137: it was killed.
   ((status == 0 || status == 124 || status == 137)) || return 1
+  ((ranks == 1)) || sleep 4 # the ranks of a killed mpiexec end a moment later
   [[ ! -f $results/summary.json ]] || return 0 # it was done before
   # A program that has only begun to load says nothing and leaves nothing; one that has not begun to
   # step has nothing to go on from.
