@@ -6,23 +6,12 @@
 #include <cmath>
 
 #include "tests/support/fluids.hpp"
+#include "tests/support/slope.hpp"
 
 namespace pennon::dns {
 namespace {
 
 using namespace pennon::test;
-
-// A quantity at three steps of equal length.
-class Slope {
- public:
-  void add(double value) { values_ = {value, values_[0], values_[1]}; }
-  double by_time(double dt) const {
-    return (1.5 * values_[0] - 2 * values_[1] + 0.5 * values_[2]) / dt;
-  }
-
- private:
-  std::array<double, 3> values_{};
-};
 
 struct Budget {  // of the fluid between the flag and a line rho = const; disturbances from (1, 0)
   double energy = 0, momentum_y = 0, momentum_z = 0;    // what the fluid holds

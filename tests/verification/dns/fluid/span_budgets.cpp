@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/support/fluids.hpp"
+#include "tests/support/slope.hpp"
 
 namespace pennon::dns {
 namespace {
@@ -32,18 +33,6 @@ FluidCase waving(int n_rho, int planes, double R) {
   settings.tolerances = {1e-8, 1e-9, 1e-7, 40};
   return settings;
 }
-
-// A quantity at three steps of equal length.
-class Slope {
- public:
-  void add(double value) { values_ = {value, values_[0], values_[1]}; }
-  double by_time(double dt) const {
-    return (1.5 * values_[0] - 2 * values_[1] + 0.5 * values_[2]) / dt;
-  }
-
- private:
-  std::array<double, 3> values_{};
-};
 
 struct Residuals {  // root mean squares over the second half of the run
   double energy = 0;
