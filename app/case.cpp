@@ -34,6 +34,7 @@ Case::Case() {
   declare(schema, global_modes);
   declare(schema, dns);
   declare(schema, analysis);
+  declare(schema, decompose);
   declare(schema, compare);
 }
 
@@ -57,6 +58,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
   if (const auto mode = dns::normal_mode_of(dns, has_flow))
     check_family(modes, mode->m, mode->table, flag, flow, faults);
   check(analysis, faults);
+  check(decompose, faults);
   check(compare, flag, faults);
   faults.raise();
   faults_ = std::move(faults);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "analysis/decomposition/settings.hpp"
 #include "analysis/signal/settings.hpp"
 #include "app/compare_settings.hpp"
 #include "common/case/case_reader.hpp"
@@ -38,6 +39,7 @@ struct Case {
   modes::global::Settings global_modes;
   dns::Settings dns;
   analysis::Settings analysis;
+  decomposition::Settings decompose;
   CompareSettings compare;
 
   std::string name;  ///< of the file, without its ending

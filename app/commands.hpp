@@ -35,6 +35,18 @@ struct AnalyzeOptions {
 /// Throws InputError where RUN is none.
 void run_analyze(const AnalyzeOptions&);
 
+struct DecomposeOptions {
+  std::string source;                  ///< a run's or its case's folder, or a file of another code
+  std::string output;                  ///< empty: `decompose` beside the run, or in results/
+  std::vector<std::string> overrides;  ///< decompose.key=value
+  bool json = false, quiet = false, force = false;
+  std::string command_line;
+};
+
+/// `pennon decompose SOURCE`: modes of a run's output, or of any snapshots.
+/// Throws InputError where SOURCE holds none, or they do not serve.
+void run_decompose(const DecomposeOptions&);
+
 /// `pennon compare CASE`: local theory, global modes and simulation of the same flag side by side.
 /// `run`: the folder of a run of `pennon dns`, or of its case; empty: results/<case name>, if there
 /// is one there.

@@ -57,6 +57,26 @@ void add_analyze_options(CLI::App& command, app::AnalyzeOptions& options) {
   command.add_flag("--quiet", options.quiet, "no summary");
 }
 
+void add_decompose_options(CLI::App& command, app::DecomposeOptions& options) {
+  command
+      .add_option(
+          "SOURCE", options.source,
+          "the folder of a run of pennon dns, or of its case; an HDF5 file of snapshots; a CSV "
+          "file of signals")
+      ->required();
+  command.add_option(
+      "--output", options.output,
+      "folder for the results [decompose, beside the run's, or results/<file>/decompose]");
+  command.add_flag("--force", options.force,
+                   "replace what the folder holds of other data or settings");
+  command
+      .add_option("--set", options.overrides,
+                  "decompose.key=value in place of the case's; repeatable")
+      ->allow_extra_args(false);
+  command.add_flag("--json", options.json, "one JSON object on standard output");
+  command.add_flag("--quiet", options.quiet, "no summary");
+}
+
 std::string command_line(int argc, char** argv) {
   std::string text = "pennon";
   for (int i = 1; i < argc; ++i) text += fmt::format(" {}", argv[i]);
@@ -116,6 +136,14 @@ int run(int argc, char** argv) {
   add_analyze_options(*analyze, analyze_options);
   analyze->footer("Example: pennon analyze results/C2D --from 2 --to 8");
   analyze->callback([&] { app::run_analyze(analyze_options); });
+
+  app::DecomposeOptions decompose_options;
+  decompose_options.command_line = options.command_line;
+  CLI::App* decompose = app.add_subcommand(
+      "decompose", "modal decomposition of a run's output, or of the snapshots of another code");
+  add_decompose_options(*decompose, decompose_options);
+  decompose->footer("Example: pennon decompose results/C2D --set decompose.method=pod");
+  decompose->callback([&] { app::run_decompose(decompose_options); });
 
   std::string compared_run;
   CLI::App* compare = app.add_subcommand(

@@ -28,13 +28,6 @@ constexpr std::size_t most_shapes_drawn = 40;
 constexpr std::size_t surfaces_unasked = 6;
 constexpr hsize_t components = 3;  // of a position
 
-std::vector<double> column(const hdf5::Array& history, std::size_t index) {
-  std::vector<double> values;
-  for (std::size_t row = 0; row < history.shape[0]; ++row)
-    values.push_back(history.values[row * history.shape[1] + index]);
-  return values;
-}
-
 // The shapes whose strain is drawn: the nearest to the times asked for, or a few at equal
 // intervals.
 std::vector<std::size_t> shapes_with_strain(const hdf5::Reader& file) {
@@ -78,7 +71,7 @@ Figure figure_of_flag_history(const hdf5::Reader& file) {
   figure.x.label = "{/:Italic tV}/{/:Italic L}";
   figure.y.label = "energy";
   const hdf5::Array history = file.read("/history", {hdf5::any_or_none, columns_of_history});
-  const std::vector<double> times = column(history, t);
+  const std::vector<double> times = column_of(history, t);
   struct Drawn {
     Column column;
     const char* label;
@@ -94,7 +87,7 @@ Figure figure_of_flag_history(const hdf5::Reader& file) {
                              {total, "total", Stroke::solid}};
   int color = 1;
   for (const Drawn& one : drawn) {
-    std::vector<double> energy = column(history, one.column);
+    std::vector<double> energy = column_of(history, one.column);
     if (one.column != total && !has_nonzero(energy)) continue;
     const bool is_total = one.column == total;
     figure.lines.push_back({times, std::move(energy), one.label, one.stroke, is_total ? 0 : color++,

@@ -16,12 +16,6 @@ namespace {
 constexpr std::size_t most_nodes_drawn = 1000;  // along an axis; a picture shows no more
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<double> row(const hdf5::Array& array, std::size_t index) {
-  const auto width = static_cast<std::ptrdiff_t>(array.shape[1]);
-  const auto begin = array.values.begin() + static_cast<std::ptrdiff_t>(index) * width;
-  return {begin, begin + width};
-}
-
 Stroke stroke(std::size_t index) {
   return static_cast<Stroke>(index % 4);
 }
@@ -80,7 +74,7 @@ Figure figure_of_curve(const hdf5::Reader& file) {
   const std::vector<double> family = is_family ? file.list("/family") : std::vector<double>{none};
   const hdf5::Array values = file.read("/values", {family.size(), x.size()});
   for (std::size_t i = 0; i < family.size(); ++i)
-    figure.lines.push_back({x, row(values, i), is_family ? member_label(file, family[i]) : "",
+    figure.lines.push_back({x, row_of(values, i), is_family ? member_label(file, family[i]) : "",
                             stroke(i), static_cast<int>(i)});
   figure.marks = outcome_marks(file);
   return figure;
@@ -117,7 +111,7 @@ Figure figure_of_verdicts(const hdf5::Reader& file) {
     const std::string label =
         spans[i] == 0 ? "2D"
                       : fmt::format("{{/:Italic γ}} = {:.3g}", 2 * std::numbers::pi / spans[i]);
-    figure.lines.push_back({x, row(values, i), label, stroke(i), static_cast<int>(i + 1)});
+    figure.lines.push_back({x, row_of(values, i), label, stroke(i), static_cast<int>(i + 1)});
   }
   const std::vector<double> mass_ratios = file.list("/mu");
   figure.y.high = 1.3 * *std::ranges::max_element(mass_ratios);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "analysis/drawing/figure.hpp"
+#include "analysis/figures/of_decomposition.hpp"
 #include "analysis/figures/of_flag.hpp"
 #include "analysis/figures/of_fluid.hpp"
 #include "analysis/figures/of_lsa.hpp"
@@ -25,6 +26,7 @@ Figure figure_of(const std::filesystem::path& path, const hdf5::Reader& file) {
   if (kind == "normal_modes") return figure_of_normal_modes(file);
   if (kind == "global_modes") return figure_of_spectrum(file);
   if (kind == "global_neutral") return figure_of_neutral_curve(file);
+  if (kind == "decomposition") return figure_of_decomposition(file);
   if (kind == "flag_history") return figure_of_flag_history(file);
   if (kind == "flag_convergence") return figure_of_flag_convergence(file);
   if (kind == "flag_shapes") return figure_of_flag_shapes(file);
@@ -51,6 +53,8 @@ Pictures pictures_of(const std::filesystem::path& path) {
     pictures.strain = picture_of_strain(file);
   if (kind == "coupled_history")
     pictures.figures.push_back({"trailing_edge", figure_of_trailing_edge(file)});
+  if (kind == "decomposition")
+    std::ranges::move(figures_of_modes(file), std::back_inserter(pictures.figures));
   if (kind == "global_modes")
     std::ranges::move(figures_of_global_modes(file), std::back_inserter(pictures.figures));
   return pictures;

@@ -2,7 +2,7 @@
 ///
 /// A file says what it holds in its attribute `kind`: lsa_curve, lsa_map, lsa_verdicts,
 /// normal_modes, global_modes, global_neutral, global_map, flag_history, flag_shapes,
-/// flag_convergence, fluid_history, coupled_history, fluid_fields.
+/// flag_convergence, fluid_history, coupled_history, fluid_fields, decomposition.
 #pragma once
 
 #include <filesystem>

@@ -26,6 +26,20 @@ bool has_nonzero(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return value != 0; });
 }
 
+std::vector<double> row_of(const hdf5::Array& array, std::size_t index) {
+  const auto width = static_cast<std::ptrdiff_t>(array.shape.back());
+  const auto begin = array.values.begin() + static_cast<std::ptrdiff_t>(index) * width;
+  return {begin, begin + width};
+}
+
+std::vector<double> column_of(const hdf5::Array& array, std::size_t index) {
+  const std::size_t width = array.shape.back();
+  std::vector<double> values;
+  for (std::size_t k = index; k < array.values.size(); k += width)
+    values.push_back(array.values[k]);
+  return values;
+}
+
 SectionArrays section_arrays(const hdf5::Reader& file, const std::string& array) {
   const hdf5::Shape cells = file.shape(array);
   const bool has_planes = cells.size() == 3;

@@ -18,6 +18,10 @@ void fit(FigureAxis&, const std::vector<double>& increasing);
 /// Whether a line of these values is worth drawing: one of them differs from zero.
 bool has_nonzero(const std::vector<double>& values);
 
+/// Of an array with two indices, or more of which the last counts for a row.
+std::vector<double> row_of(const hdf5::Array&, std::size_t index);
+std::vector<double> column_of(const hdf5::Array&, std::size_t index);
+
 /// The corners /points and an array of the cells between them, as plane_section() takes them.
 struct SectionArrays {
   hdf5::Array points, values;

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "common/linear_algebra/signal_rank.hpp"
 #include "common/linear_algebra/svd.hpp"
 
 namespace pennon::analysis {
@@ -24,16 +25,6 @@ Matrix hankel(const Complexes& samples) {
   for (Eigen::Index j = 0; j < columns; ++j)
     for (Eigen::Index i = 0; i < rows; ++i) matrix(i, j) = samples[static_cast<std::size_t>(i + j)];
   return matrix;
-}
-
-// How many singular values are signal: those above the optimal threshold for white noise of unknown
-// level, omega(beta) times the median (Gavish & Donoho 2014, equation 5).
-Eigen::Index rank_of(const Eigen::VectorXd& values, double beta, std::size_t most) {
-  const double omega = ((0.56 * beta - 0.95) * beta + 1.82) * beta + 1.43;
-  const double least = std::max(omega * values(values.size() / 2), roundoff * values(0));
-  const auto above =
-      std::count_if(values.begin(), values.end(), [&](double value) { return value > least; });
-  return std::min(above, static_cast<Eigen::Index>(most));
 }
 
 // The amplitudes that fit the samples best, in the least-squares sense.
@@ -58,7 +49,8 @@ std::vector<Exponential> fit_exponentials(const Complexes& samples, double dt, s
   const auto [U, sigma, V] = thin_svd(matrix);
   if (!(sigma(0) > 0)) return {};
   const double beta = static_cast<double>(matrix.cols()) / static_cast<double>(matrix.rows());
-  const Eigen::Index rank = rank_of(sigma, beta, most);
+  const Eigen::Index rank =
+      std::min(signal_rank(sigma, beta, roundoff), static_cast<Eigen::Index>(most));
   if (rank == 0) return {};
   const Matrix space = V.leftCols(rank).conjugate();
   const Eigen::Index shifted = space.rows() - 1;

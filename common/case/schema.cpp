@@ -50,6 +50,9 @@ struct ValueText {
   using Text = std::optional<std::string>;
   Text operator()(const double* v) const { return toml(*v); }
   Text operator()(const std::int64_t* v) const { return toml(*v); }
+  Text operator()(const std::optional<std::int64_t>* v) const {
+    return *v ? Text(toml(**v)) : Text();
+  }
   Text operator()(const bool* v) const { return toml(*v); }
   Text operator()(const std::string* v) const { return toml(*v); }
   Text operator()(const std::array<double, 3>* v) const { return toml_list(*v); }
@@ -68,6 +71,7 @@ struct TypeName {
   std::string operator()(const double*) const { return "number"; }
   std::string operator()(const std::optional<double>*) const { return "number"; }
   std::string operator()(const std::int64_t*) const { return "integer"; }
+  std::string operator()(const std::optional<std::int64_t>*) const { return "integer"; }
   std::string operator()(const bool*) const { return "true or false"; }
   std::string operator()(const std::string*) const { return "text"; }
   std::string operator()(const std::array<double, 3>*) const { return "three numbers"; }

@@ -27,9 +27,10 @@ struct Choice {
 };
 
 using Binding =
-    std::variant<double*, std::optional<double>*, std::int64_t*, bool*, std::string*,
-                 std::array<double, 3>*, std::vector<double>*, std::vector<std::int64_t>*,
-                 std::vector<std::string>*, std::optional<Sweep>*, Choice>;
+    std::variant<double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*,
+                 bool*, std::string*, std::array<double, 3>*, std::vector<double>*,
+                 std::vector<std::int64_t>*, std::vector<std::string>*, std::optional<Sweep>*,
+                 Choice>;
 
 struct Key {
   std::string name;

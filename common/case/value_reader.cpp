@@ -81,6 +81,9 @@ class ValueReader {
   void read_into(std::int64_t* target) {
     if (const auto value = integer(node_, key_.range)) *target = *value;
   }
+  void read_into(std::optional<std::int64_t>* target) {
+    if (const auto value = integer(node_, key_.range)) *target = *value;
+  }
   void read_into(bool* target) {
     if (const auto value = node_.value_exact<bool>())
       *target = *value;

@@ -25,6 +25,8 @@ class CsvTable {
   void expect_each_once(const std::vector<std::string>& columns, const std::string& meaning) const;
 
   std::size_t rows() const { return rows_.size(); }
+  /// Of the columns, in their order.
+  const std::vector<std::string>& names() const { return names_; }
   bool has(const std::string& name) const;
   /// Throws InputError that lists the columns there are if this one is not among them.
   std::size_t column(const std::string& name) const;

@@ -35,6 +35,29 @@ bool is_number(hid_t type) {
   return (kind == H5T_FLOAT || kind == H5T_INTEGER) && H5Tget_size(type) <= sizeof(long double);
 }
 
+// A compound of two real numbers named r and i, as h5py and MATLAB write complex ones.
+bool is_complex_number(hid_t type) {
+  if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_nmembers(type) != 2) return false;
+  const auto has = [&](unsigned index, const char* name) {
+    char* found = H5Tget_member_name(type, index);
+    const bool is_it = found != nullptr && std::string_view(found) == name;
+    H5free_memory(found);
+    const hid_t member = H5Tget_member_type(type, index);
+    const bool is_real = member >= 0 && is_number(member) && H5Tget_class(member) == H5T_FLOAT;
+    if (member >= 0) H5Tclose(member);
+    return is_it && is_real;
+  };
+  return has(0, "r") && has(1, "i");
+}
+
+// How complex numbers lie in memory.
+Handle complex_type(const std::string& what) {
+  Handle type(H5Tcreate(H5T_COMPOUND, sizeof(std::complex<double>)), H5Tclose, what);
+  check(H5Tinsert(type, "r", 0, H5T_NATIVE_DOUBLE), what);
+  check(H5Tinsert(type, "i", sizeof(double), H5T_NATIVE_DOUBLE), what);
+  return type;
+}
+
 // The bytes that the values of a dataset can have by what the file holds of it.
 hsize_t largest_size(hid_t dataset, const Handle& storage) {
   const hsize_t stored = H5Dget_storage_size(dataset);
@@ -148,7 +171,13 @@ Shape Reader::checked_shape(const Handle& dataset, const std::string& name) cons
 }
 
 Shape Reader::shape(const std::string& name) const {
-  return checked_shape(open_numbers(name), name);
+  return checked_shape(is_complex(name) ? open(name) : open_numbers(name), name);
+}
+
+bool Reader::is_complex(const std::string& name) const {
+  const Handle dataset = open(name);
+  const Handle type(H5Dget_type(dataset), H5Tclose, path_.string() + " " + name);
+  return is_complex_number(type);
 }
 
 Shape Reader::shape(const std::string& name, const Shape& expected) const {
@@ -194,6 +223,36 @@ Array Reader::read_every(const std::string& name, const Shape& strides) const {
   if (H5Dread(dataset, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, array.values.data()) < 0)
     fail(fmt::format("has an array {} that cannot be read: {}", name, library_words()));
   return array;
+}
+
+void Reader::read_part(const std::string& name, const Shape& start, const Shape& counts,
+                       std::span<double> values) const {
+  assert(values.size() == count(counts));
+  (void)open_numbers(name);
+  const Handle type(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose, path_.string());
+  read_part(name, start, counts, type, values.data());
+}
+
+void Reader::read_part(const std::string& name, const Shape& start, const Shape& counts,
+                       std::span<std::complex<double>> values) const {
+  assert(values.size() == count(counts));
+  if (!is_complex(name)) fail("has an array " + name + " of something other than complex numbers");
+  read_part(name, start, counts, complex_type(path_.string()), values.data());
+}
+
+void Reader::read_part(const std::string& name, const Shape& start, const Shape& counts,
+                       const Handle& type_in_memory, void* values) const {
+  const std::string what = path_.string() + " " + name + " cannot be read";
+  const Shape whole = shape(name);
+  assert(start.size() == whole.size() && counts.size() == whole.size());
+  const Handle dataset = open(name);
+  const Handle in_file(H5Dget_space(dataset), H5Sclose, what);
+  check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, counts.data(), nullptr),
+        what);
+  const Handle in_memory(H5Screate_simple(static_cast<int>(counts.size()), counts.data(), nullptr),
+                         H5Sclose, what);
+  if (H5Dread(dataset, type_in_memory, in_memory, in_file, H5P_DEFAULT, values) < 0)
+    fail(fmt::format("has an array {} that cannot be read: {}", name, library_words()));
 }
 
 std::string Reader::long_text(const std::string& name) const {
@@ -258,6 +317,42 @@ std::string Reader::text(const std::string& name, const std::string& attribute,
     value.resize(std::min(value.find('\0'), value.size()));
   }
   return value;
+}
+
+std::vector<std::string> Reader::texts(const std::string& name,
+                                       const std::string& attribute) const {
+  constexpr hsize_t most_texts = 4096;
+  if (!has_attribute(name, attribute)) return {};
+  const auto cannot = [&] {
+    fail(fmt::format("has an attribute {} of {} that is no list of texts", attribute, name));
+  };
+  const hid_t id =
+      H5Aopen_by_name(file_, name.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  if (id < 0) cannot();
+  const Handle handle(id, H5Aclose, path_.string());
+  const Handle type(H5Aget_type(handle), H5Tclose, path_.string());
+  const Handle space(H5Aget_space(handle), H5Sclose, path_.string());
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  const std::size_t size = H5Tget_size(type);
+  if (H5Tget_class(type) != H5T_STRING || count < 1 || count > static_cast<hssize_t>(most_texts) ||
+      H5Sget_simple_extent_ndims(space) > 1 || size > longest_text / most_texts)
+    cannot();
+  std::vector<std::string> found(static_cast<std::size_t>(count));
+  if (H5Tis_variable_str(type) > 0) {
+    std::vector<char*> pointers(found.size(), nullptr);
+    if (H5Aread(handle, type, static_cast<void*>(pointers.data())) < 0) cannot();
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (pointers[k] != nullptr) found[k] = pointers[k];
+    H5Dvlen_reclaim(type, space, H5P_DEFAULT, static_cast<void*>(pointers.data()));
+  } else {
+    std::string all(found.size() * size, '\0');
+    if (H5Aread(handle, type, all.data()) < 0) cannot();
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      found[k] = all.substr(k * size, size);
+      found[k].resize(std::min(found[k].find('\0'), found[k].size()));
+    }
+  }
+  return found;
 }
 
 double Reader::number(const std::string& name, const std::string& attribute,

@@ -1,8 +1,10 @@
 /// Reads HDF5 files that others may have written, or damaged.
 #pragma once
 
+#include <complex>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,8 +39,16 @@ class Reader {
   std::vector<double> list(const std::string& name, hsize_t expected = any) const;
   /// Every strides[d]-th element along each index d, from the first.
   Array read_every(const std::string& name, const Shape& strides) const;
+  /// Of an array of numbers, which may be complex.
   Shape shape(const std::string& name) const;
   Shape shape(const std::string& name, const Shape& expected) const;
+  /// Part of an array: `counts` elements along each index from `start` on, so many as `values` has.
+  void read_part(const std::string& name, const Shape& start, const Shape& counts,
+                 std::span<double> values) const;
+  void read_part(const std::string& name, const Shape& start, const Shape& counts,
+                 std::span<std::complex<double>> values) const;
+  /// Whether the numbers of an array are complex: compounds of two real ones, r and i.
+  bool is_complex(const std::string& name) const;
   /// What Writer::write_text() wrote.
   std::string long_text(const std::string& name) const;
 
@@ -46,6 +56,8 @@ class Reader {
   /// another type, or with more than one value, is a fault.
   std::string text(const std::string& name, const std::string& attribute,
                    const std::string& fallback = {}) const;
+  /// A list of texts; empty where there is none.
+  std::vector<std::string> texts(const std::string& name, const std::string& attribute) const;
   double number(const std::string& name, const std::string& attribute, double fallback) const;
   /// One that must be there, finite.
   double number(const std::string& name, const std::string& attribute) const;
@@ -64,6 +76,8 @@ class Reader {
  private:
   Handle open(const std::string& name) const;
   Handle open_numbers(const std::string& name) const;
+  void read_part(const std::string& name, const Shape& start, const Shape& counts,
+                 const Handle& type_in_memory, void* values) const;
   Shape checked_shape(const Handle& dataset, const std::string& name) const;
   bool has_attribute(const std::string& name, const std::string& attribute) const;
   Handle open_attribute(const std::string& name, const std::string& attribute) const;

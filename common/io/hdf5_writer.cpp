@@ -125,16 +125,21 @@ void Writer::write_text(const std::string& name, const std::string& text) {
 
 void Writer::write_rows(const std::string& name, hsize_t first_row, hsize_t rows,
                         std::span<const double> values) {
-  const Handle& dataset = open_.at(name);
-  Shape extent = shape_of(dataset, says(name));
-  Shape start(extent.size(), 0);
+  Shape counts = shape_of(open_.at(name), says(name));
+  Shape start(counts.size(), 0);
   start[0] = first_row;
-  extent[0] = rows;
-  assert(values.size() == count(extent));
-  const Handle in_memory(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
+  counts[0] = rows;
+  write_part(name, start, counts, values);
+}
+
+void Writer::write_part(const std::string& name, const Shape& start, const Shape& counts,
+                        std::span<const double> values) {
+  assert(values.size() == count(counts));
+  const Handle& dataset = open_.at(name);
+  const Handle in_memory(H5Screate_simple(static_cast<int>(counts.size()), counts.data(), nullptr),
                          H5Sclose, says(name));
   const Handle in_file(H5Dget_space(dataset), H5Sclose, says(name));
-  check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr),
+  check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, counts.data(), nullptr),
         says(name));
   check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, values.data()),
         says(name));

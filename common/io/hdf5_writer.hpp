@@ -34,6 +34,9 @@ class Writer {
   void declare(const std::string& name, const Shape&, const Attributes& = {});
   void write_rows(const std::string& name, hsize_t first_row, hsize_t rows,
                   std::span<const double> values);
+  /// Part of a declared array: `counts` elements along each index from `start` on.
+  void write_part(const std::string& name, const Shape& start, const Shape& counts,
+                  std::span<const double> values);
   /// The names of all arrays so far as the text /arrays, by which a reader sees whether one was
   /// lost (Reader::expect_contents()).
   void write_contents();

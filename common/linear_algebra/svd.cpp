@@ -1,16 +1,12 @@
 #include "common/linear_algebra/svd.hpp"
 
-// Before lapacke.h, which would take the complex numbers of C.
-#define LAPACK_COMPLEX_CUSTOM
-#define lapack_complex_float std::complex<float>
-#define lapack_complex_double std::complex<double>
 #include <fmt/format.h>
-#include <lapacke.h>
 
 #include <algorithm>
 #include <cassert>
 
 #include "common/errors.hpp"
+#include "common/linear_algebra/lapacke.hpp"
 
 namespace pennon {
 namespace {

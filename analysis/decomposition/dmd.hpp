@@ -1,0 +1,67 @@
+/// Dynamic mode decomposition: snapshots at equal steps dt as a sum of exponentials in time,
+///
+///     q_m = sum_j b_j phi_j exp(lambda_j (t_m - t_0)),    |phi_j| = 1,  b_j > 0,
+///
+/// of rank r. Both variants work in the coordinates of R (triangular_factor.hpp), with X its first
+/// M - 1 columns and Y its last M - 1.
+///
+/// Exact (Tu, Rowley, Luchtenburg, Brunton & Kutz 2014, definition 1): X = U S V^* of rank r; the
+/// eigenvalues theta and vectors w of U^* Y V S^-1; lambda = log(theta)/dt; phi along Y c,
+/// c = V S^-1 w. White noise of variance s^2 in every value makes |theta| too small, to first order
+/// by the factor 1 - s^2 n/(the mode's mean energy) (Dawson, Hemati, Williams & Rowley 2016):
+/// growth rates come out too low.
+///
+/// Optimised (Askham & Kutz 2018): lambda minimises the sum of the squared misfits over all
+/// snapshots together, by variable projection (Golub & Pereyra 1973, with the gradient of Kaufman
+/// 1975) and the damping of Levenberg and Marquardt, on the projections on the first r singular
+/// vectors, from the exact eigenvalues on. In white noise it is the estimate of greatest likelihood
+/// but for that projection.
+///
+/// Errors are one standard deviation. Exact: from the residuals of the fit of Y by X in sixteen
+/// runs of snapshots (a sandwich with clusters), without the bias above. Optimised: that of the
+/// linearised fit in white noise of the size that the misfit has (with the true lambda and noise,
+/// the Cramer-Rao bound).
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "common/linear_algebra/svd.hpp"
+
+namespace pennon::decomposition {
+
+enum class DmdVariant { exact, optimised };
+
+struct DmdMode {
+  std::complex<double> lambda;  ///< growth + i (angular frequency)
+  double amplitude = 0;         ///< b_j: the first snapshot as a sum of modes, by least squares
+  /// |Y c - theta X c|/(|theta| |X c|), c the combination of snapshots that is the mode; 0 where
+  /// the data are such a sum.
+  double residual = 0;
+  double growth_error = 0, omega_error = 0;
+};
+
+struct Dmd {
+  Eigen::Index rank = 0;
+  std::vector<DmdMode> modes;  ///< the largest mean square over the snapshots first
+  /// phi_j as a sum of weighted snapshots, a column for each mode.
+  Eigen::MatrixXcd combination;
+  double misfit = 0;  ///< of the optimised fit: the norm of what is left over that of the data
+  Eigen::Index vanished = 0;  ///< eigenvalues theta = 0, which have no lambda
+};
+
+/// `values`: how many values a snapshot has; with the number of snapshots it sets the shape of the
+/// matrix whose rank is asked for. `rank`: none, that of the signal (signal_rank.hpp). Throws
+/// InputError where the rank is above that of the data, or there are fewer than 3 snapshots;
+/// SolverError where the optimised fit does not converge.
+template <class Scalar>
+Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, DmdVariant,
+        std::optional<Eigen::Index> rank);
+
+extern template Dmd dmd(const DenseMatrix<double>&, double, std::size_t, DmdVariant,
+                        std::optional<Eigen::Index>);
+extern template Dmd dmd(const DenseMatrix<std::complex<double>>&, double, std::size_t, DmdVariant,
+                        std::optional<Eigen::Index>);
+
+}  // namespace pennon::decomposition

@@ -1,0 +1,190 @@
+#include "analysis/decomposition/spod.hpp"
+
+#include <fftw3.h>
+#include <gsl/gsl_cdf.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <numeric>
+
+#include "common/parallel/ranks.hpp"
+
+namespace pennon::decomposition {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+// The transform of a block of a few values at a time, so that they stay in the cache.
+constexpr Index at_once = 32;
+
+template <class T>
+struct FftwMemory {
+  explicit FftwMemory(std::size_t count)
+      : values(static_cast<T*>(fftw_malloc(count * sizeof(T))), fftw_free) {
+    if (!values) throw std::bad_alloc();
+  }
+  std::unique_ptr<T, decltype(&fftw_free)> values;
+};
+
+// Of `at_once` series of N values, one behind the other.
+template <class Scalar>
+class Transform {
+ public:
+  explicit Transform(Index length)
+      : frequencies_(std::is_same_v<Scalar, double> ? length / 2 + 1 : length),
+        in_(static_cast<std::size_t>(length * at_once)),
+        out_(static_cast<std::size_t>(frequencies_ * at_once)) {
+    const int n = static_cast<int>(length), f = static_cast<int>(frequencies_);
+    auto* out = reinterpret_cast<fftw_complex*>(out_.values.get());
+    if constexpr (std::is_same_v<Scalar, double>) {
+      plan_ = fftw_plan_many_dft_r2c(1, &n, at_once, in_.values.get(), nullptr, 1, n, out, nullptr,
+                                     1, f, FFTW_ESTIMATE);
+    } else {
+      plan_ = fftw_plan_many_dft(1, &n, at_once, reinterpret_cast<fftw_complex*>(in_.values.get()),
+                                 nullptr, 1, n, out, nullptr, 1, f, FFTW_FORWARD, FFTW_ESTIMATE);
+    }
+  }
+  ~Transform() { fftw_destroy_plan(plan_); }
+  Transform(const Transform&) = delete;
+  Transform& operator=(const Transform&) = delete;
+
+  Scalar* in() { return in_.values.get(); }
+  const Complex* out() const { return out_.values.get(); }
+  void execute() { fftw_execute(plan_); }
+
+ private:
+  Index frequencies_;
+  FftwMemory<Scalar> in_;
+  FftwMemory<Complex> out_;
+  fftw_plan plan_;
+};
+
+// W^1/2 q^_b of a band: for each frequency a matrix of values x blocks, one behind the other.
+template <class Scalar>
+void transform_band(const DenseMatrix<Scalar>& A, const Blocks& blocks, double scale,
+                    Transform<Scalar>& transform, std::vector<MatrixXcd>& q) {
+  const Index N = blocks.length, frequencies = static_cast<Index>(q.size());
+  const Eigen::VectorXd w = blocks.window * scale;
+  for (Index b = 0; b < blocks.count(); ++b)
+    for (Index i = 0; i < A.rows(); i += at_once) {
+      const Index count = std::min(at_once, A.rows() - i);
+      Eigen::Map<DenseMatrix<Scalar>> in(transform.in(), N, at_once);
+      const auto part = A.block(i, blocks.first[static_cast<std::size_t>(b)], count, N);
+      in.leftCols(count) = w.asDiagonal() * part.transpose();
+      in.rightCols(at_once - count).setZero();
+      transform.execute();
+      const Eigen::Map<const MatrixXcd> out(transform.out(), frequencies, at_once);
+      for (Index f = 0; f < frequencies; ++f)
+        q[static_cast<std::size_t>(f)].col(b).segment(i, count) = out.row(f).head(count);
+    }
+}
+
+// 2 where the density of real data is one-sided, else 1.
+double sides(const Blocks& blocks, Index f, bool is_real) {
+  const bool is_alone = f == 0 || 2 * f == blocks.length;
+  return is_real && !is_alone ? 2 : 1;
+}
+
+}  // namespace
+
+std::array<double, 2> energy_interval(const Spod& spod, Index index) {
+  if (spod.independent_blocks < 1) return {0, std::numeric_limits<double>::infinity()};
+  const bool is_alone = spod.is_real && sides(spod.blocks, index, true) == 1;
+  const double freedom = (is_alone ? 1 : 2) * spod.independent_blocks;
+  return {freedom / gsl_cdf_chisq_Pinv(0.975, freedom),
+          freedom / gsl_cdf_chisq_Pinv(0.025, freedom)};
+}
+
+template <class Scalar>
+Spod spod(const Bands<Scalar>& bands, const Blocks& blocks) {
+  constexpr bool is_real = std::is_same_v<Scalar, double>;
+  const Index B = blocks.count(), frequencies = blocks.frequencies(is_real);
+  const double dt = bands.times().dt, scale = std::sqrt(dt / static_cast<double>(blocks.length));
+  Transform<Scalar> transform(blocks.length);
+  std::vector<MatrixXcd> products(static_cast<std::size_t>(frequencies), MatrixXcd::Zero(B, B));
+  std::vector<MatrixXcd> q(static_cast<std::size_t>(frequencies));
+  const double bytes = sizeof(Complex) * static_cast<double>(frequencies * B);
+  bands.for_each(bytes, 2 * bytes * static_cast<double>(B), [&](const BandOfData<Scalar>& data) {
+    for (MatrixXcd& of_frequency : q) of_frequency.resize(data.q.rows(), B);
+    transform_band(data.weighted(), blocks, scale, transform, q);
+    for (std::size_t f = 0; f < q.size(); ++f)
+      products[f].template selfadjointView<Eigen::Lower>().rankUpdate(q[f].adjoint());
+  });
+  Spod found{blocks, {}, {}, {}, blocks.independent(), is_real};
+  for (Index f = 0; f < frequencies; ++f) {
+    MatrixXcd& product = products[static_cast<std::size_t>(f)];
+    ranks::sum({reinterpret_cast<double*>(product.data()), static_cast<std::size_t>(2 * B * B)});
+    product *= sides(blocks, f, is_real) / static_cast<double>(B);
+    const Eigen::SelfAdjointEigenSolver<MatrixXcd> solver(product);  // of the lower triangle
+    found.f.push_back(blocks.frequency(f, dt, is_real));
+    const auto count = std::min<Index>(B, static_cast<Index>(bands.layout().values()));
+    found.energy.emplace_back(solver.eigenvalues().reverse().head(count).cwiseMax(0));
+    found.v.emplace_back(solver.eigenvectors().rowwise().reverse().leftCols(count));
+  }
+  return found;
+}
+
+std::vector<Index> peaks(const Spod& spod, std::size_t count) {
+  const auto first = [&](std::size_t f) { return spod.energy[f](0); };
+  const std::size_t last = spod.f.size() - 1;
+  std::vector<Index> found;
+  for (std::size_t f = 0; f <= last; ++f)
+    if (first(f) > 0 && (f == 0 || first(f) > first(f - 1)) &&
+        (f == last || first(f) >= first(f + 1)))
+      found.push_back(static_cast<Index>(f));
+  std::ranges::stable_sort(found, std::ranges::greater(),
+                           [&](Index f) { return first(static_cast<std::size_t>(f)); });
+  found.resize(std::min(found.size(), count));
+  return found;
+}
+
+template <class Scalar>
+void for_each_band_of_spod_modes(const Bands<Scalar>& bands, const Spod& spod,
+                                 const std::vector<Index>& frequencies, Index modes,
+                                 const UseSpodModes& use) {
+  const Blocks& blocks = spod.blocks;
+  const Index N = blocks.length, B = blocks.count();
+  const double dt = bands.times().dt, scale = std::sqrt(dt / static_cast<double>(N));
+  const double bytes = sizeof(Complex) * static_cast<double>(B + 2 * modes);
+  bands.for_each(bytes, 0, [&](const BandOfData<Scalar>& data) {
+    const DenseMatrix<Scalar> A = data.weighted();
+    const Eigen::VectorXd weight = data.weight.rowwise().mean();
+    for (std::size_t k = 0; k < frequencies.size(); ++k) {
+      const auto f = static_cast<std::size_t>(frequencies[k]);
+      Eigen::VectorXcd wave(N);
+      for (Index m = 0; m < N; ++m)
+        wave(m) = std::polar(scale * blocks.window(m),
+                             -2 * std::numbers::pi * static_cast<double>(frequencies[k] * m % N) /
+                                 static_cast<double>(N));
+      MatrixXcd q(A.rows(), B);
+      for (Index b = 0; b < B; ++b)
+        q.col(b) = A.middleCols(blocks.first[static_cast<std::size_t>(b)], N) * wave;
+      const Eigen::VectorXd& energy = spod.energy[f];
+      const Index count = std::min(modes, energy.size());
+      MatrixXcd phi = q * spod.v[f].leftCols(count);
+      const double factor =
+          std::sqrt(sides(blocks, frequencies[k], spod.is_real) / static_cast<double>(B));
+      for (Index j = 0; j < count; ++j)
+        phi.col(j) *= energy(j) > 0 ? factor / std::sqrt(energy(j)) : 0;
+      for (Index i = 0; i < phi.rows(); ++i)
+        phi.row(i) *= weight(i) > 0 ? 1 / std::sqrt(weight(i)) : 0;
+      use(data.band, k, phi);
+    }
+  });
+}
+
+template Spod spod(const Bands<double>&, const Blocks&);
+template Spod spod(const Bands<Complex>&, const Blocks&);
+template void for_each_band_of_spod_modes(const Bands<double>&, const Spod&,
+                                          const std::vector<Index>&, Index, const UseSpodModes&);
+template void for_each_band_of_spod_modes(const Bands<Complex>&, const Spod&,
+                                          const std::vector<Index>&, Index, const UseSpodModes&);
+
+}  // namespace pennon::decomposition
