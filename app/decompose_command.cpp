@@ -60,7 +60,7 @@ fs::path usual_folder(const fs::path& source, bool is_run) {
 void work(const DecomposeOptions& options, const fs::path& source, bool is_run,
           const Schema& schema, const decomposition::Settings& settings,
           std::unique_ptr<decomposition::Snapshots> snapshots, Record& record) {
-  const ResultFolder results(
+  ResultFolder results(
       (options.output.empty() ? usual_folder(source, is_run) : fs::path(options.output))
           .lexically_normal(),
       {.command = "decompose",
@@ -71,7 +71,12 @@ void work(const DecomposeOptions& options, const fs::path& source, bool is_run,
        .follows_run = true});
   const decomposition::Decomposition found = [&] {
     const auto timer = record.time("decompose");
-    return decomposition::decompose(std::move(snapshots), settings, results.output());
+    try {
+      return decomposition::decompose(std::move(snapshots), settings, results.output());
+    } catch (const InputError&) {
+      results.withdraw();
+      throw;
+    }
   }();
   if (!ranks::is_leading()) return;
   decomposition::write_table(found, results.output());
@@ -88,6 +93,10 @@ void work(const DecomposeOptions& options, const fs::path& source, bool is_run,
 
 void run_decompose(const DecomposeOptions& options) {
   Record record(options.command_line);
+  for (const std::string& assignment : options.overrides)
+    if (!assignment.starts_with("decompose."))
+      throw InputError("--set " + assignment,
+                       "is no setting of pennon decompose, which takes decompose.key=value");
   const fs::path given = options.source;
   if (!fs::exists(given))
     throw InputError(given.string(),

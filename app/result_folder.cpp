@@ -102,6 +102,15 @@ void check_earlier_results(const fs::path& folder, const ResultRequest& request)
                     (folder / checkpoint_name).string()));
 }
 
+// The folder and those above it that are not there, the outermost first.
+std::vector<fs::path> missing_folders(const fs::path& folder) {
+  std::vector<fs::path> missing;
+  for (fs::path each = fs::absolute(folder).lexically_normal(); !fs::exists(each);
+       each = each.parent_path())
+    missing.insert(missing.begin(), each);
+  return missing;
+}
+
 // Calls on the leading rank alone; where it throws there, all ranks throw.
 void on_leading_rank(const std::function<void()>& work) {
   std::exception_ptr fault;
@@ -136,6 +145,7 @@ ResultFolder::ResultFolder(const fs::path& folder, const ResultRequest& request)
     std::error_code ignored;
     const bool is_there = fs::is_directory(folder, ignored);
     if (is_there && !request.is_forced) check_earlier_results(folder, request);
+    made_ = missing_folders(folder);
     output_.emplace(folder);
     lock_.emplace(folder, request.is_forced);
     remove_stale_temporaries(folder);
@@ -146,6 +156,16 @@ ResultFolder::ResultFolder(const fs::path& folder, const ResultRequest& request)
                                                request.title, request.the_case));
   });
   if (!output_) output_.emplace(folder);
+}
+
+void ResultFolder::withdraw() {
+  if (!ranks::is_leading()) return;
+  std::error_code ignored;
+  const fs::path& folder = output_->path();
+  if (files_of_command(folder, request_).empty()) fs::remove(folder / case_name, ignored);
+  lock_.reset();
+  // Those that are not empty stay.
+  for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, ignored);
 }
 
 void ResultFolder::remove_older_files() const {

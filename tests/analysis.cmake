@@ -12,3 +12,14 @@ pennon_test(test_analysis
   SEPARATE
     unit/analysis/drawing/raster.cpp
   LINK pennon::analysis_figures GTest::gmock)
+
+pennon_test(test_decomposition
+  SOURCES
+    unit/analysis/decomposition/dmd.cpp
+    unit/analysis/decomposition/pod.cpp
+    unit/analysis/decomposition/sources.cpp
+    unit/analysis/decomposition/spod.cpp
+  SEPARATE
+    unit/analysis/decomposition/dmd.cpp
+    unit/analysis/decomposition/spod.cpp
+  LINK pennon::analysis_decomposition GTest::gmock)

@@ -39,9 +39,15 @@ Eigen::MatrixXcd at_times(const Eigen::MatrixXcd& rows, const std::vector<double
 }  // namespace
 
 template <class Scalar>
-DenseMatrix<Scalar> BandOfData<Scalar>::weighted() const {
-  if (weight.cols() == 1) return weight.col(0).cwiseSqrt().asDiagonal() * q;
-  return q.cwiseProduct(weight.cwiseSqrt().template cast<Scalar>());
+void BandOfData<Scalar>::take_weight_from(MatrixXd& modes) const {
+  for (Index i = 0; i < modes.rows(); ++i)
+    modes.row(i) *= mean_weight(i) > 0 ? 1 / std::sqrt(mean_weight(i)) : 0;
+}
+
+template <class Scalar>
+void BandOfData<Scalar>::take_weight_from(Eigen::MatrixXcd& modes) const {
+  for (Index i = 0; i < modes.rows(); ++i)
+    modes.row(i) *= mean_weight(i) > 0 ? 1 / std::sqrt(mean_weight(i)) : 0;
 }
 
 template <class Scalar>
@@ -60,29 +66,53 @@ Band Bands<Scalar>::mine() const {
 }
 
 template <class Scalar>
-BandOfData<Scalar> Bands<Scalar>::prepared(Band band) const {
-  if (band.count == 0)
-    return {band, DenseMatrix<Scalar>(0, snapshots()),
-            MatrixXd(0, layout().has_changing_weights ? snapshots() : 1)};
-  BandOfData<Scalar> data{band, values_of<Scalar>(snapshots_, band), snapshots_.weights(band)};
-  if (times_.is_resampled) {
-    data.q = at_times(data.q, layout().t, times_.t);
-    // Weights are positive, and a spline need not be.
-    if (layout().has_changing_weights)
-      data.weight = at_times(data.weight, layout().t, times_.t).cwiseMax(0);
+void Bands<Scalar>::apply_weights(BandOfData<Scalar>& data) const {
+  data.mean_weight = Eigen::VectorXd::Ones(data.A.rows());
+  if (!preparation_.is_weighted) return;
+  MatrixXd weight = snapshots_.weights(data.band);
+  if (weight.cols() == 1) {
+    data.mean_weight = weight.col(0);
+    const Eigen::VectorXd root = data.mean_weight.cwiseSqrt();
+    if ((root.array() == 1).all()) return;
+    for (Index m = 0; m < data.A.cols(); ++m) data.A.col(m).array() *= root.array();
+    return;
   }
-  if (preparation_.removes_mean) data.q.colwise() -= data.q.rowwise().mean().eval();
-  return data;
+  // Weights are 0 or more, and a spline need not be.
+  if (times_.is_resampled) weight = at_times(weight, layout().t, times_.t).cwiseMax(0);
+  data.mean_weight = weight.rowwise().mean();
+  data.A.array() *= weight.array().sqrt();
+}
+
+template <class Scalar>
+void Bands<Scalar>::read(Band band, BandOfData<Scalar>& data) const {
+  data.band = band;
+  if (band.count == 0) {
+    data.A.resize(0, snapshots());
+    data.mean_weight.resize(0);
+    return;
+  }
+  read_values(snapshots_, band, data.A);
+  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> sum = data.A.col(0);
+  for (Index m = 1; m < data.A.cols(); ++m) sum += data.A.col(m);
+  if (!sum.allFinite()) expect_finite(layout(), data.A, band.first);
+  if (times_.is_resampled) data.A = at_times(data.A, layout().t, times_.t);
+  if (preparation_.removes_mean) {
+    if (times_.is_resampled) sum = data.A.rowwise().sum();
+    const auto mean = (sum / static_cast<double>(data.A.cols())).eval();
+    for (Index m = 0; m < data.A.cols(); ++m) data.A.col(m) -= mean;
+  }
+  apply_weights(data);
 }
 
 template <class Scalar>
 void Bands<Scalar>::for_each(double bytes_per_value, double bytes, const Use& use) const {
   const Band all = mine();
   const auto M = static_cast<double>(snapshots());
-  // The values, twice where they are resampled or weighted, and weights that change.
+  // The values, with copies where they are resampled, and weights that change.
+  const double copies = times_.is_resampled ? 3 : 1,
+               weights = layout().has_changing_weights ? 2 : 0;
   const double of_value =
-      (2 * sizeof(Scalar) + (layout().has_changing_weights ? 2 * sizeof(double) : 0)) * M +
-      bytes_per_value;
+      (copies * sizeof(Scalar) + weights * sizeof(double)) * M + bytes_per_value;
   const double mine = preparation_.memory / ranks::count();
   const double most = std::floor((mine - bytes) / of_value);
   if (!(most >= 1)) {
@@ -94,13 +124,18 @@ void Bands<Scalar>::for_each(double bytes_per_value, double bytes, const Use& us
                     "decompose.to, or shorter blocks",
                     preparation_.memory / 1e9, snapshots(), needed / 1e9));
   }
-  const auto width = static_cast<std::size_t>(std::min(most, 1e15));
+  // Wider bands than this are read no faster, and leave the caches sooner.
+  constexpr double wide = 256e6;  // bytes of values
+  const auto width = static_cast<std::size_t>(
+      std::min(most, std::max(std::ceil(wide / (sizeof(Scalar) * M)), 1.0)));
   // As many bands on every rank, the last ones perhaps empty, so that ranks can meet in each.
   const std::size_t longest = layout().values() / static_cast<std::size_t>(ranks::count()) + 1;
   const std::size_t end = all.first + all.count, bands = (longest + width - 1) / width;
+  BandOfData<Scalar> data;
   for (std::size_t k = 0; k < bands; ++k) {
     const std::size_t first = std::min(all.first + k * width, end);
-    use(prepared({first, std::min(width, end - first)}));
+    read({first, std::min(width, end - first)}, data);
+    use(data);
   }
 }
 

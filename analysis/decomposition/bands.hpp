@@ -12,17 +12,19 @@ namespace pennon::decomposition {
 template <class Scalar>
 struct BandOfData {
   Band band;
-  DenseMatrix<Scalar> q;   ///< values x M
-  Eigen::MatrixXd weight;  ///< values x 1, or values x M where they change with time
+  DenseMatrix<Scalar> A;  ///< W^1/2 q, values x M: its plain squares add up to the norm
+  Eigen::VectorXd mean_weight;
 
-  /// W^1/2 q: the values whose plain squares add up to the norm.
-  DenseMatrix<Scalar> weighted() const;
+  /// Modes of A as modes of q, in place: divides by the root of the mean weight; 0 where that is 0.
+  void take_weight_from(Eigen::MatrixXd& modes) const;
+  void take_weight_from(Eigen::MatrixXcd& modes) const;
 };
 
 /// How the data are prepared.
 struct Preparation {
   bool removes_mean = true;
-  double memory = 1e9;  ///< bytes, of all ranks together
+  bool is_weighted = true;  ///< else W = 1
+  double memory = 1e9;      ///< bytes, of all ranks together
 };
 
 template <class Scalar>
@@ -44,10 +46,11 @@ class Bands {
 
   /// The values of this rank.
   Band mine() const;
-  /// Reads and prepares one band.
-  BandOfData<Scalar> prepared(Band) const;
 
  private:
+  void read(Band, BandOfData<Scalar>&) const;
+  void apply_weights(BandOfData<Scalar>&) const;
+
   const Snapshots& snapshots_;
   Preparation preparation_;
   TimeGrid times_;

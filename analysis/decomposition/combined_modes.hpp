@@ -8,19 +8,16 @@
 namespace pennon::decomposition {
 
 /// For each band of this rank: phi = W^-1/2 A C, values x modes, with the weighted snapshots A and
-/// C the combination; with weights that change with time W is their mean. A value whose weight is
-/// zero is q C for constant weights and 0 else.
+/// C the combination; W is the mean weight, and phi is 0 where that is 0.
 template <class Scalar, class Mode>
 void for_each_band_of_modes(const Bands<Scalar>& bands, const DenseMatrix<Mode>& combination,
                             const std::function<void(Band, const DenseMatrix<Mode>&)>& use) {
   const auto modes = static_cast<double>(combination.cols());
+  DenseMatrix<Mode> phi;
   bands.for_each(sizeof(Mode) * 2 * modes, sizeof(Mode) * static_cast<double>(combination.size()),
                  [&](const BandOfData<Scalar>& data) {
-                   if (data.weight.cols() == 1) return use(data.band, data.q * combination);
-                   DenseMatrix<Mode> phi = data.weighted() * combination;
-                   const Eigen::VectorXd mean = data.weight.rowwise().mean();
-                   for (Eigen::Index i = 0; i < phi.rows(); ++i)
-                     phi.row(i) *= mean(i) > 0 ? 1 / std::sqrt(mean(i)) : 0;
+                   phi.noalias() = data.A * combination;
+                   data.take_weight_from(phi);
                    use(data.band, phi);
                  });
 }

@@ -22,6 +22,9 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
+template <class Scalar>
+constexpr bool is_real = std::is_same_v<Scalar, double>;
+
 // Singular values below this share of the largest are roundoff.
 constexpr double roundoff = 1e-12;
 // An eigenvalue theta below this has no logarithm worth its name.
@@ -77,35 +80,39 @@ ExactParts<Scalar> exact_parts(const DenseMatrix<Scalar>& R, std::size_t values,
   return parts;
 }
 
-// The sum over runs of snapshots of the squared change of lambda that each run's residuals make.
+// To first order an error e_m of each snapshot changes theta_j by sum_m l_j^* U^* e_m (c_(m-1) -
+// theta c_m): as the later one of a pair, and as the earlier. In white noise of variance s^2 the
+// pairs are missed by s^2 (n + |A|^2) each, A the reduced matrix.
 template <class Scalar>
 void set_exact_errors(const DenseMatrix<Scalar>& R, const ExactParts<Scalar>& parts,
-                      const MatrixXcd& c, double dt, Found& found) {
-  constexpr Index most_runs = 16;
+                      const MatrixXcd& c, double dt, std::size_t values, Found& found) {
   const auto& [U, sigma, V] = parts.svd;
   const Index pairs = R.cols() - 1, r = parts.rank;
   const DenseMatrix<Scalar> x = sigma.head(r).asDiagonal() * V.leftCols(r).adjoint();
-  const DenseMatrix<Scalar> y = U.leftCols(r).adjoint() * R.rightCols(pairs);
-  const MatrixXcd left = parts.W.fullPivLu().inverse();  // its rows l_j, l_j w_j = 1
-  const MatrixXcd rest = left * (y - parts.reduced * x).template cast<Complex>();
-  const Index runs = std::min(most_runs, pairs);
-  const double degrees =
-      static_cast<double>(pairs) / static_cast<double>(std::max<Index>(pairs - r, 1)) *
-      static_cast<double>(runs) / static_cast<double>(std::max<Index>(runs - 1, 1));
-  found.growth_variance = found.omega_variance = VectorXd::Zero(r);
-  for (Index j = 0; j < r; ++j)
-    for (Index run = 0; run < runs; ++run) {
-      Complex change = 0;
-      for (Index m = pairs * run / runs; m < pairs * (run + 1) / runs; ++m)
-        change += rest(j, m) * c(m, j);
-      change /= parts.theta(j) * dt;
-      found.growth_variance(j) += degrees * change.real() * change.real();
-      found.omega_variance(j) += degrees * change.imag() * change.imag();
-    }
+  const double missed = (R.rightCols(pairs) - U.leftCols(r) * (parts.reduced * x)).squaredNorm();
+  const double freedom = static_cast<double>(std::max<Index>(pairs - r, 1)) *
+                         (static_cast<double>(values) + parts.reduced.squaredNorm());
+  const double noise = missed / freedom;
+  const MatrixXcd left = parts.W.fullPivLu().inverse();  // its rows l_j^*, l_j^* w_j = 1
+  found.growth_variance.resize(r);
+  found.omega_variance.resize(r);
+  for (Index j = 0; j < r; ++j) {
+    VectorXcd change = VectorXcd::Zero(R.cols());
+    change.tail(pairs) += c.col(j);
+    change.head(pairs) -= parts.theta(j) * c.col(j);
+    change /= parts.theta(j) * dt;
+    const double modulus = left.row(j).squaredNorm() * change.squaredNorm();
+    const Complex square = is_real<Scalar> ? (left.row(j) * left.row(j).transpose()).value() *
+                                                 (change.transpose() * change).value()
+                                           : Complex(0);
+    found.growth_variance(j) = noise * (modulus + square.real()) / 2;
+    found.omega_variance(j) = noise * (modulus - square.real()) / 2;
+  }
 }
 
 template <class Scalar>
-Found exact(const DenseMatrix<Scalar>& R, double dt, const ExactParts<Scalar>& parts) {
+Found exact(const DenseMatrix<Scalar>& R, double dt, std::size_t values,
+            const ExactParts<Scalar>& parts) {
   const auto& [U, sigma, V] = parts.svd;
   const Index pairs = R.cols() - 1, r = parts.rank;
   const MatrixXcd c = V.leftCols(r) * sigma.head(r).cwiseInverse().asDiagonal() * parts.W;
@@ -116,7 +123,7 @@ Found exact(const DenseMatrix<Scalar>& R, double dt, const ExactParts<Scalar>& p
               {},
               {}};
   found.combination.bottomRows(pairs) = c;
-  set_exact_errors(R, parts, c, dt, found);
+  set_exact_errors(R, parts, c, dt, values, found);
   return found;
 }
 
@@ -136,7 +143,6 @@ template <class Scalar>
 Found optimised(const DenseMatrix<Scalar>& R, double dt, std::size_t values,
                 const ExactParts<Scalar>& start, Index rank, const Svd<Scalar>& whole,
                 Dmd& result) {
-  constexpr bool is_real = std::is_same_v<Scalar, double>;
   const Index M = R.cols(), pairs = M - 1;
   std::vector<double> t;
   for (Index m = 0; m < M; ++m) t.push_back(dt * static_cast<double>(m));
@@ -150,7 +156,7 @@ Found optimised(const DenseMatrix<Scalar>& R, double dt, std::size_t values,
     lambda(j) =
         Complex(std::max(std::log(std::abs(theta) + 1e-300), fastest_decay), std::arg(theta)) / dt;
   }
-  const ExponentialFit fit = fit_exponentials(Z, t, lambda, is_real);
+  const ExponentialFit fit = fit_exponentials(Z, t, lambda, is_real<Scalar>);
   const double left =
       fit.misfit_squared + whole.sigma.tail(whole.sigma.size() - rank).squaredNorm();
   result.misfit = std::sqrt(left) / whole.sigma.norm();
@@ -165,9 +171,8 @@ Found optimised(const DenseMatrix<Scalar>& R, double dt, std::size_t values,
   found.X_c = R.leftCols(pairs) * c;
   found.Y_c = R.rightCols(pairs) * c;
   const VectorXd modulus = fit.variance, square = fit.pseudo_variance.real();
-  constexpr double share = is_real ? 1 : 1;
-  found.growth_variance = share * noise * (modulus + square) / 2;
-  found.omega_variance = share * noise * (modulus - square) / 2;
+  found.growth_variance = noise * (modulus + square) / 2;
+  found.omega_variance = noise * (modulus - square) / 2;
   return found;
 }
 
@@ -186,7 +191,7 @@ Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, DmdVariant 
   if (variant == DmdVariant::exact) {
     parts = exact_parts(R, values, asked);
     result.rank = parts.rank;
-    found = exact(R, dt, parts);
+    found = exact(R, dt, values, parts);
   } else {
     const Svd<Scalar> whole = thin_svd(R);
     result.rank = checked_rank(whole.sigma, values, R.cols(), asked);

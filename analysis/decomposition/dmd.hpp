@@ -7,9 +7,9 @@
 ///
 /// Exact (Tu, Rowley, Luchtenburg, Brunton & Kutz 2014, definition 1): X = U S V^* of rank r; the
 /// eigenvalues theta and vectors w of U^* Y V S^-1; lambda = log(theta)/dt; phi along Y c,
-/// c = V S^-1 w. White noise of variance s^2 in every value makes |theta| too small, to first order
-/// by the factor 1 - s^2 n/(the mode's mean energy) (Dawson, Hemati, Williams & Rowley 2016):
-/// growth rates come out too low.
+/// c = V S^-1 w. White noise of variance s^2 in every value makes theta too small, to first order
+/// by the factor 1 - s^2/(the mode's mean square) (Dawson, Hemati, Williams & Rowley 2016): growth
+/// rates come out too low.
 ///
 /// Optimised (Askham & Kutz 2018): lambda minimises the sum of the squared misfits over all
 /// snapshots together, by variable projection (Golub & Pereyra 1973, with the gradient of Kaufman
@@ -17,10 +17,10 @@
 /// vectors, from the exact eigenvalues on. In white noise it is the estimate of greatest likelihood
 /// but for that projection.
 ///
-/// Errors are one standard deviation. Exact: from the residuals of the fit of Y by X in sixteen
-/// runs of snapshots (a sandwich with clusters), without the bias above. Optimised: that of the
-/// linearised fit in white noise of the size that the misfit has (with the true lambda and noise,
-/// the Cramer-Rao bound).
+/// Errors are one standard deviation in white noise of the size that the misfit has, by the
+/// linearised fit; those of the exact variant without its bias, those of the optimised one, with
+/// the true lambda and noise, the bound of Cramer and Rao. What the data hold beside r exponentials
+/// counts as noise.
 #pragma once
 
 #include <complex>

@@ -58,10 +58,10 @@ class HdfSnapshots final : public Snapshots {
         taken_(taken),
         constant_weights_(std::move(constant_weights)) {}
 
-  MatrixXd read(Band band) const override { return read_as<double>(band); }
-  Eigen::MatrixXcd read_complex(Band band) const override {
-    if (!layout().is_complex) return Snapshots::read_complex(band);
-    return read_as<std::complex<double>>(band);
+  void read(Band band, MatrixXd& values) const override { read_as(band, values); }
+  void read_complex(Band band, Eigen::MatrixXcd& values) const override {
+    if (!layout().is_complex) return Snapshots::read_complex(band, values);
+    read_as(band, values);
   }
 
   MatrixXd weights(Band band) const override {
@@ -100,21 +100,15 @@ class HdfSnapshots final : public Snapshots {
   }
 
   template <class Scalar>
-  DenseMatrix<Scalar> read_as(Band band) const {
-    DenseMatrix<Scalar> found(static_cast<Eigen::Index>(band.count), columns());
+  void read_as(Band band, DenseMatrix<Scalar>& values) const {
+    values.resize(static_cast<Eigen::Index>(band.count), columns());
     for_each_part(
         band, [&](std::size_t component, std::size_t point, std::size_t row, std::size_t count) {
-          if (count == band.count) return read_points(component, point, count, found);
+          if (count == band.count) return read_points(component, point, count, values);
           DenseMatrix<Scalar> of_part(static_cast<Eigen::Index>(count), columns());
           read_points(component, point, count, of_part);
-          found.middleRows(static_cast<Eigen::Index>(row), of_part.rows()) = of_part;
+          values.middleRows(static_cast<Eigen::Index>(row), of_part.rows()) = of_part;
         });
-    if constexpr (std::is_same_v<Scalar, double>) {
-      expect_finite(layout(), found, band.first);
-    } else {
-      expect_finite(layout(), found.real() + found.imag(), band.first);
-    }
-    return found;
   }
 
   // Points of a component at all times: HDF5 leaves them as the columns of a matrix.
@@ -271,9 +265,9 @@ class Signals final : public Snapshots {
   Signals(Layout layout, MatrixXd values)
       : Snapshots(std::move(layout)), values_(std::move(values)) {}
 
-  MatrixXd read(Band band) const override {
-    return values_.middleRows(static_cast<Eigen::Index>(band.first),
-                              static_cast<Eigen::Index>(band.count));
+  void read(Band band, MatrixXd& values) const override {
+    values = values_.middleRows(static_cast<Eigen::Index>(band.first),
+                                static_cast<Eigen::Index>(band.count));
   }
   MatrixXd weights(Band band) const override {
     return MatrixXd::Ones(static_cast<Eigen::Index>(band.count), 1);
@@ -320,7 +314,6 @@ std::unique_ptr<Snapshots> open_signals(const std::filesystem::path& path, const
     values.row(static_cast<Eigen::Index>(c) - 1) =
         Eigen::Map<const Eigen::RowVectorXd>(column.data(), values.cols());
   }
-  expect_finite(layout, values, 0);
   return std::make_unique<Signals>(std::move(layout), std::move(values));
 }
 

@@ -32,16 +32,14 @@ class FlagSnapshots final : public Snapshots {
         taken_(taken),
         weights_(std::move(weights)) {}
 
-  MatrixXd read(Band band) const override {
-    MatrixXd found(static_cast<Index>(band.count), static_cast<Index>(taken_.count));
+  void read(Band band, MatrixXd& found) const override {
+    found.resize(static_cast<Index>(band.count), static_cast<Index>(taken_.count));
     for (std::size_t m = 0; m < taken_.count; ++m) {
       const hdf5::Array nodes = file_.read(shape_array(taken_.first + m), shape_);
       for (std::size_t i = 0; i < band.count; ++i)
         found(static_cast<Index>(i), static_cast<Index>(m)) =
             nodes.values[dimensions * (band.first + i) + 2];
     }
-    expect_finite(layout(), found, band.first);
-    return found;
   }
   MatrixXd weights(Band band) const override {
     return Eigen::Map<const Eigen::VectorXd>(weights_.data() + band.first,
@@ -73,8 +71,8 @@ class FluidSnapshots final : public Snapshots {
   FluidSnapshots(Layout layout, std::vector<std::filesystem::path> files, hdf5::Shape cells)
       : Snapshots(std::move(layout)), files_(std::move(files)), cells_(std::move(cells)) {}
 
-  MatrixXd read(Band band) const override {
-    MatrixXd found(static_cast<Index>(band.count), static_cast<Index>(files_.size()));
+  void read(Band band, MatrixXd& found) const override {
+    found.resize(static_cast<Index>(band.count), static_cast<Index>(files_.size()));
     const std::size_t points = layout().points;
     for (std::size_t m = 0; m < files_.size(); ++m) {
       const hdf5::Reader file(files_[m]);
@@ -87,8 +85,6 @@ class FluidSnapshots final : public Snapshots {
           found(static_cast<Index>(i - band.first), static_cast<Index>(m)) = values[i - c * points];
       }
     }
-    expect_finite(layout(), found, band.first);
-    return found;
   }
 
   MatrixXd weights(Band band) const override {

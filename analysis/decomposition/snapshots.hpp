@@ -64,12 +64,10 @@ class Snapshots {
 
   const Layout& layout() const { return layout_; }
 
-  /// The values of a band, count x M, a column for each time. Throws InputError where they cannot
-  /// be read, or one is not finite: with its time. Of a complex quantity the real read is a bug.
-  virtual Eigen::MatrixXd read(Band) const = 0;
-  virtual Eigen::MatrixXcd read_complex(Band band) const {
-    return read(band).cast<std::complex<double>>();
-  }
+  /// The values of a band into a matrix of count x M, a column for each time. Throws InputError
+  /// where they cannot be read. Of a complex quantity the real read is a bug.
+  virtual void read(Band, Eigen::MatrixXd& values) const = 0;
+  virtual void read_complex(Band, Eigen::MatrixXcd& values) const;
 
   /// Its weights, each 0 or more: count x 1, or count x M where they change with time.
   virtual Eigen::MatrixXd weights(Band) const = 0;
@@ -82,11 +80,16 @@ class Snapshots {
 };
 
 /// The values as real or complex numbers.
-template <class Scalar>
-DenseMatrix<Scalar> values_of(const Snapshots&, Band);
+inline void read_values(const Snapshots& snapshots, Band band, Eigen::MatrixXd& values) {
+  snapshots.read(band, values);
+}
+inline void read_values(const Snapshots& snapshots, Band band, Eigen::MatrixXcd& values) {
+  snapshots.read_complex(band, values);
+}
 
 /// Throws InputError that names the first time of a value that is not finite; `from`: which value
 /// the first row is.
-void expect_finite(const Layout&, const Eigen::MatrixXd& values, std::size_t from);
+template <class Scalar>
+void expect_finite(const Layout&, const DenseMatrix<Scalar>& values, std::size_t from);
 
 }  // namespace pennon::decomposition

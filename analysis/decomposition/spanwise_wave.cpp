@@ -36,21 +36,24 @@ class SpanwiseWave final : public Snapshots {
   SpanwiseWave(std::unique_ptr<Snapshots> whole, std::int64_t n)
       : Snapshots(layout_of_wave(whole->layout(), n)), whole_(std::move(whole)), n_(n) {}
 
-  Eigen::MatrixXd read(Band band) const override { return read_complex(band).real(); }
+  void read(Band band, Eigen::MatrixXd& values) const override {
+    Eigen::MatrixXcd complex;
+    read_complex(band, complex);
+    values = complex.real();
+  }
 
-  Eigen::MatrixXcd read_complex(Band band) const override {
+  void read_complex(Band band, Eigen::MatrixXcd& sum) const override {
     const std::size_t stations = whole_->layout().stations->count;
-    Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(static_cast<Index>(band.count),
-                                                  static_cast<Index>(layout().t.size()));
+    sum.setZero(static_cast<Index>(band.count), static_cast<Index>(layout().t.size()));
+    Eigen::MatrixXd of_station;
     for_each_part(band, [&](std::size_t row, std::size_t station, Band part) {
-      const auto turn = static_cast<double>(static_cast<std::size_t>(n_) * station % stations);
+      const auto turns = static_cast<double>(static_cast<std::size_t>(n_) * station % stations) /
+                         static_cast<double>(stations);
       const Complex factor =
-          std::polar(1 / static_cast<double>(stations),
-                     -2 * std::numbers::pi * turn / static_cast<double>(stations));
-      sum.middleRows(static_cast<Index>(row), static_cast<Index>(part.count)) +=
-          factor * whole_->read(part);
+          std::polar(1 / static_cast<double>(stations), -2 * std::numbers::pi * turns);
+      whole_->read(part, of_station);
+      sum.middleRows(static_cast<Index>(row), of_station.rows()) += factor * of_station;
     });
-    return sum;
   }
 
   Eigen::MatrixXd weights(Band band) const override {

@@ -1,5 +1,6 @@
 #include "analysis/decomposition/spod.hpp"
 
+#include <cblas.h>
 #include <fftw3.h>
 #include <gsl/gsl_cdf.h>
 
@@ -22,7 +23,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
 // The transform of a block of a few values at a time, so that they stay in the cache.
-constexpr Index at_once = 32;
+constexpr Index at_once = 64;
 
 template <class T>
 struct FftwMemory {
@@ -66,15 +67,14 @@ class Transform {
   fftw_plan plan_;
 };
 
-// W^1/2 q^_b of a band: for each frequency a matrix of values x blocks, one behind the other.
-template <class Scalar>
-void transform_band(const DenseMatrix<Scalar>& A, const Blocks& blocks, double scale,
-                    Transform<Scalar>& transform, std::vector<MatrixXcd>& q) {
+// W^1/2 q^_b of a few values: for each frequency a matrix of values x blocks, one behind the other.
+template <class Scalar, class Values>
+void transform_values(const Values& A, const Blocks& blocks, const Eigen::VectorXd& w,
+                      Transform<Scalar>& transform, std::vector<MatrixXcd>& q) {
   const Index N = blocks.length, frequencies = static_cast<Index>(q.size());
-  const Eigen::VectorXd w = blocks.window * scale;
-  for (Index b = 0; b < blocks.count(); ++b)
-    for (Index i = 0; i < A.rows(); i += at_once) {
-      const Index count = std::min(at_once, A.rows() - i);
+  for (Index i = 0; i < A.rows(); i += at_once) {
+    const Index count = std::min(at_once, A.rows() - i);
+    for (Index b = 0; b < blocks.count(); ++b) {
       Eigen::Map<DenseMatrix<Scalar>> in(transform.in(), N, at_once);
       const auto part = A.block(i, blocks.first[static_cast<std::size_t>(b)], count, N);
       in.leftCols(count) = w.asDiagonal() * part.transpose();
@@ -84,12 +84,26 @@ void transform_band(const DenseMatrix<Scalar>& A, const Blocks& blocks, double s
       for (Index f = 0; f < frequencies; ++f)
         q[static_cast<std::size_t>(f)].col(b).segment(i, count) = out.row(f).head(count);
     }
+  }
+}
+
+// Adds q^* q to the lower triangle.
+void add_products(const MatrixXcd& q, MatrixXcd& sum) {
+  cblas_zherk(CblasColMajor, CblasLower, CblasConjTrans, static_cast<int>(sum.rows()),
+              static_cast<int>(q.rows()), 1.0, q.data(), static_cast<int>(q.rows()), 1.0,
+              sum.data(), static_cast<int>(sum.rows()));
 }
 
 // 2 where the density of real data is one-sided, else 1.
-double sides(const Blocks& blocks, Index f, bool is_real) {
-  const bool is_alone = f == 0 || 2 * f == blocks.length;
+double sides(const Blocks& blocks, Index index, bool is_real) {
+  const bool is_alone = index == 0 || 2 * index == blocks.length;
   return is_real && !is_alone ? 2 : 1;
+}
+
+// Where the transform has the coefficient of the frequency `index`.
+std::size_t coefficient(const Blocks& blocks, Index index, bool is_real) {
+  const Index k = blocks.harmonic(index, is_real);
+  return static_cast<std::size_t>(k < 0 ? k + blocks.length : k);
 }
 
 }  // namespace
@@ -109,21 +123,28 @@ Spod spod(const Bands<Scalar>& bands, const Blocks& blocks) {
   const double dt = bands.times().dt, scale = std::sqrt(dt / static_cast<double>(blocks.length));
   Transform<Scalar> transform(blocks.length);
   std::vector<MatrixXcd> products(static_cast<std::size_t>(frequencies), MatrixXcd::Zero(B, B));
+  // So many values at a time, that their transforms stay in the outer cache.
+  const double of_value = sizeof(Complex) * static_cast<double>(frequencies * B);
+  const Index piece = std::clamp<Index>(static_cast<Index>(8e6 / of_value), at_once, 1024);
   std::vector<MatrixXcd> q(static_cast<std::size_t>(frequencies));
-  const double bytes = sizeof(Complex) * static_cast<double>(frequencies * B);
-  bands.for_each(bytes, 2 * bytes * static_cast<double>(B), [&](const BandOfData<Scalar>& data) {
-    for (MatrixXcd& of_frequency : q) of_frequency.resize(data.q.rows(), B);
-    transform_band(data.weighted(), blocks, scale, transform, q);
-    for (std::size_t f = 0; f < q.size(); ++f)
-      products[f].template selfadjointView<Eigen::Lower>().rankUpdate(q[f].adjoint());
+  const Eigen::VectorXd w = blocks.window * scale;
+  const double bytes = of_value * static_cast<double>(2 * B + piece);
+  bands.for_each(0, bytes, [&](const BandOfData<Scalar>& data) {
+    for (Index i = 0; i < data.A.rows(); i += piece) {
+      const auto part = data.A.middleRows(i, std::min(piece, data.A.rows() - i));
+      for (MatrixXcd& of_frequency : q) of_frequency.resize(part.rows(), B);
+      transform_values<Scalar>(part, blocks, w, transform, q);
+      for (std::size_t f = 0; f < q.size(); ++f) add_products(q[f], products[f]);
+    }
   });
   Spod found{blocks, {}, {}, {}, blocks.independent(), is_real};
   for (Index f = 0; f < frequencies; ++f) {
-    MatrixXcd& product = products[static_cast<std::size_t>(f)];
+    MatrixXcd& product = products[coefficient(blocks, f, is_real)];
     ranks::sum({reinterpret_cast<double*>(product.data()), static_cast<std::size_t>(2 * B * B)});
     product *= sides(blocks, f, is_real) / static_cast<double>(B);
     const Eigen::SelfAdjointEigenSolver<MatrixXcd> solver(product);  // of the lower triangle
-    found.f.push_back(blocks.frequency(f, dt, is_real));
+    found.f.push_back(static_cast<double>(blocks.harmonic(f, is_real)) /
+                      (static_cast<double>(blocks.length) * dt));
     const auto count = std::min<Index>(B, static_cast<Index>(bands.layout().values()));
     found.energy.emplace_back(solver.eigenvalues().reverse().head(count).cwiseMax(0));
     found.v.emplace_back(solver.eigenvectors().rowwise().reverse().leftCols(count));
@@ -152,29 +173,40 @@ void for_each_band_of_spod_modes(const Bands<Scalar>& bands, const Spod& spod,
   const Blocks& blocks = spod.blocks;
   const Index N = blocks.length, B = blocks.count();
   const double dt = bands.times().dt, scale = std::sqrt(dt / static_cast<double>(N));
-  const double bytes = sizeof(Complex) * static_cast<double>(B + 2 * modes);
-  bands.for_each(bytes, 0, [&](const BandOfData<Scalar>& data) {
-    const DenseMatrix<Scalar> A = data.weighted();
-    const Eigen::VectorXd weight = data.weight.rowwise().mean();
+  // The factors of the transform at each frequency, real and imaginary parts beside each other.
+  const auto chosen = static_cast<Index>(frequencies.size());
+  MatrixXcd waves(N, chosen);
+  for (Index k = 0; k < chosen; ++k) {
+    const auto turns = static_cast<Index>(
+        coefficient(blocks, frequencies[static_cast<std::size_t>(k)], spod.is_real));
+    for (Index m = 0; m < N; ++m)
+      waves(m, k) = std::polar(
+          scale * blocks.window(m),
+          -2 * std::numbers::pi * static_cast<double>(turns * m % N) / static_cast<double>(N));
+  }
+  std::vector<MatrixXcd> q(frequencies.size());
+  const double of_value = sizeof(Complex) * static_cast<double>(chosen * (B + 1) + 2 * modes);
+  bands.for_each(of_value, 0, [&](const BandOfData<Scalar>& data) {
+    for (MatrixXcd& of_frequency : q) of_frequency.resize(data.A.rows(), B);
+    for (Index i = 0; i < data.A.rows(); i += at_once) {
+      const Index count = std::min(at_once, data.A.rows() - i);
+      for (Index b = 0; b < B; ++b) {
+        const MatrixXcd of_block =
+            data.A.block(i, blocks.first[static_cast<std::size_t>(b)], count, N) * waves;
+        for (Index k = 0; k < chosen; ++k)
+          q[static_cast<std::size_t>(k)].col(b).segment(i, count) = of_block.col(k);
+      }
+    }
     for (std::size_t k = 0; k < frequencies.size(); ++k) {
       const auto f = static_cast<std::size_t>(frequencies[k]);
-      Eigen::VectorXcd wave(N);
-      for (Index m = 0; m < N; ++m)
-        wave(m) = std::polar(scale * blocks.window(m),
-                             -2 * std::numbers::pi * static_cast<double>(frequencies[k] * m % N) /
-                                 static_cast<double>(N));
-      MatrixXcd q(A.rows(), B);
-      for (Index b = 0; b < B; ++b)
-        q.col(b) = A.middleCols(blocks.first[static_cast<std::size_t>(b)], N) * wave;
       const Eigen::VectorXd& energy = spod.energy[f];
       const Index count = std::min(modes, energy.size());
-      MatrixXcd phi = q * spod.v[f].leftCols(count);
+      MatrixXcd phi = q[k] * spod.v[f].leftCols(count);
       const double factor =
           std::sqrt(sides(blocks, frequencies[k], spod.is_real) / static_cast<double>(B));
       for (Index j = 0; j < count; ++j)
         phi.col(j) *= energy(j) > 0 ? factor / std::sqrt(energy(j)) : 0;
-      for (Index i = 0; i < phi.rows(); ++i)
-        phi.row(i) *= weight(i) > 0 ? 1 / std::sqrt(weight(i)) : 0;
+      data.take_weight_from(phi);
       use(data.band, k, phi);
     }
   });

@@ -29,6 +29,7 @@ namespace pennon::decomposition {
 
 struct Spod {
   Blocks blocks;
+  /// Increasing: from 0 for real data, else from minus half the sampling rate.
   std::vector<double> f;
   std::vector<Eigen::VectorXd> energy;  ///< for each f: lambda_j in falling order, B or fewer
   std::vector<Eigen::MatrixXcd> v;      ///< for each f: the eigenvectors, B x modes

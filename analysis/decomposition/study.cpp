@@ -264,7 +264,9 @@ void find_waves(const Bands<double>& bands, Decomposition& found, const OutputFo
 template <class Scalar>
 void find(const Snapshots& snapshots, Decomposition& found, const OutputFolder& folder) {
   const Settings& settings = found.settings;
-  const Bands<Scalar> bands(snapshots, {settings.removes_mean(), settings.memory_bytes()});
+  const Bands<Scalar> bands(snapshots, {.removes_mean = settings.removes_mean(),
+                                        .is_weighted = settings.method != Method::waves,
+                                        .memory = settings.memory_bytes()});
   found.times = bands.times();
   if (settings.method == Method::pod) find_pod(bands, found, folder);
   if (settings.method == Method::dmd) find_dmd(bands, found, folder);

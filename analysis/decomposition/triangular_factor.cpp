@@ -28,7 +28,7 @@ DenseMatrix<Scalar> triangular_factor(const Bands<Scalar>& bands) {
   StackedQr<Scalar> factor(bands.snapshots());
   constexpr double factors = 3;  // the factor, its copy, and what is added to it
   bands.for_each(sizeof(Scalar) * M, factors * sizeof(Scalar) * M * M,
-                 [&](const BandOfData<Scalar>& data) { factor.add(data.weighted()); });
+                 [&](const BandOfData<Scalar>& data) { factor.add(data.A); });
   if (ranks::count() == 1) return factor.R();
   StackedQr<Scalar> of_all(bands.snapshots());
   of_all.add(gathered(factor.R()));

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <numeric>
 
 #include "analysis/decomposition/welch.hpp"
 #include "common/errors.hpp"
@@ -23,11 +22,12 @@ using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, decltype(&fftw_de
 // Root mean squares of the parts with omega > 0 and omega < 0 of exp(-i omega t), under a window.
 void set_parts(SpanwiseWaveParts& wave) {
   const std::size_t M = wave.zeta.size();
-  const Complex mean =
-      std::accumulate(wave.zeta.begin(), wave.zeta.end(), Complex(0)) / static_cast<double>(M);
-  const Eigen::VectorXd window =
-      welch_blocks(static_cast<Eigen::Index>(M), static_cast<Eigen::Index>(M), 0, Taper::hann)
-          .window;
+  const auto length = static_cast<Eigen::Index>(M);
+  const Eigen::VectorXd window = welch_blocks(length, length, 0, Taper::hann).window;
+  // The mean under the window: a wave of other than whole periods has next to none.
+  Complex mean = 0;
+  for (std::size_t m = 0; m < M; ++m)
+    mean += wave.zeta[m] * window(static_cast<Eigen::Index>(m)) / window.sum();
   Complexes values(M);
   for (std::size_t m = 0; m < M; ++m)
     values[m] = (wave.zeta[m] - mean) * window(static_cast<Eigen::Index>(m));
@@ -83,7 +83,7 @@ std::vector<SpanwiseWaveParts> waves(const Bands<double>& bands, double y) {
     for (std::size_t i = 0; i < data.band.count; ++i) {
       const std::size_t point = data.band.first + i;
       if (point % of_station == nearest)
-        add(point / of_station, data.q.row(static_cast<Eigen::Index>(i)));
+        add(point / of_station, data.A.row(static_cast<Eigen::Index>(i)));
     }
   });
   for (SpanwiseWaveParts& wave : found)

@@ -23,12 +23,6 @@ Eigen::VectorXd window_of(Eigen::Index length, Taper taper) {
 
 }  // namespace
 
-double Blocks::frequency(Eigen::Index index, double dt, bool is_real) const {
-  const bool is_negative = !is_real && 2 * index >= length;
-  return static_cast<double>(is_negative ? index - length : index) /
-         (static_cast<double>(length) * dt);
-}
-
 double Blocks::independent() const {
   const auto B = static_cast<double>(count());
   if (count() < 2) return B;

@@ -16,10 +16,13 @@ struct Blocks {
   Eigen::VectorXd window;           ///< w, N values
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(first.size()); }
-  /// Frequencies 0, 1/(N dt), ...: up to half the sampling rate for real data, else all N, those
-  /// above half of it, and half of it, being negative.
+  /// Frequencies k/(N dt): for real data from k = 0 up to half the sampling rate, else from minus
+  /// half of it to below half of it.
   Eigen::Index frequencies(bool is_real) const { return is_real ? length / 2 + 1 : length; }
-  double frequency(Eigen::Index index, double dt, bool is_real) const;
+  /// k of the frequency `index`.
+  Eigen::Index harmonic(Eigen::Index index, bool is_real) const {
+    return is_real ? index : index - length / 2;
+  }
   /// How many independent blocks have a mean square as certain as that of these, for white noise:
   /// fewer where they overlap (Welch 1967, equation 12; Percival & Walden 1993, section 6.17).
   double independent() const;
