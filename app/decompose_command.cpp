@@ -28,7 +28,7 @@ struct TableAlone {
 
   TableAlone(const std::string& source, const std::vector<std::string>& overrides) {
     declare(schema, settings);
-    Faults faults = read_case_text("", source, overrides, schema);
+    Faults faults = read_case_text("[decompose]\n", source, overrides, schema);
     check(settings, faults);
     faults.raise();
     settings.is_given = true;

@@ -7,13 +7,14 @@ pennon_test(test_app
     regression/app/compare.cpp
     regression/app/completion.cpp
     regression/app/coupled.cpp
+    regression/app/decompose.cpp
     regression/app/fluid.cpp
     regression/app/folders.cpp
     regression/app/global.cpp
     regression/app/kept_history.cpp
     regression/app/long_step.cpp
     regression/app/named_keys.cpp
-  LINK pennon::analysis_figures Boost::headers GTest::gmock)
+  LINK pennon::analysis_decomposition pennon::analysis_figures Boost::headers GTest::gmock)
 pennon_test(test_app_validation
   SOURCES
     validation/app/compare_table1.cpp

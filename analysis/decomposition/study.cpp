@@ -56,6 +56,7 @@ class ResultFile {
                        {"quantity", found.layout.quantity},
                        {"components", fmt::format("{}", fmt::join(found.layout.components, ","))},
                        {"mean", found.settings.removes_mean() ? "removed" : "kept"},
+                       {"numbers", found.is_complex ? "complex" : "real"},
                        {"dt", found.times.dt}});
     write("/t", {found.times.t.size()}, found.times.t, "times of the snapshots");
     const Layout& layout = found.layout;

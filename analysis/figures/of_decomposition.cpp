@@ -39,7 +39,14 @@ Figure figure_of_eigenvalues(const hdf5::Reader& file) {
                             omega = file.list("/omega", growth.size()),
                             growth_error = file.list("/growth_error", growth.size()),
                             omega_error = file.list("/omega_error", growth.size());
+  // Of real data the two modes of a pair are one oscillation.
+  const bool is_real = file.text("/", "numbers") == "real";
+  Marks marks{{}, {}, "", Marker::circle, true, 1};
   for (std::size_t j = 0; j < growth.size(); ++j) {
+    constexpr double rounding = 1e-9;
+    if (is_real && omega[j] < -rounding) continue;
+    marks.x.push_back(omega[j]);
+    marks.y.push_back(growth[j]);
     figure.lines.push_back({{omega[j], omega[j]},
                             {growth[j] - growth_error[j], growth[j] + growth_error[j]},
                             "",
@@ -53,7 +60,7 @@ Figure figure_of_eigenvalues(const hdf5::Reader& file) {
                             1,
                             1});
   }
-  figure.marks.push_back({omega, growth, "", Marker::circle, true, 1});
+  figure.marks.push_back(std::move(marks));
   return figure;
 }
 
@@ -155,11 +162,19 @@ Figure along_chord(const std::vector<double>& y, const std::vector<double>& real
   return figure;
 }
 
-Figure on_flag(const Places& places, std::vector<double> values) {
+// The first station stands again where the period ends.
+Figure on_flag(const hdf5::Reader& file, const Places& places, std::vector<double> values) {
   Figure figure;
   figure.x.label = "{/:Italic y}/{/:Italic L}";
   figure.y.label = "{/:Italic x}/{/:Italic L}";
-  figure.field = FigureField{places.y, places.x, std::move(values), "mode", true};
+  std::vector<double> x = places.x;
+  const double span = file.number("/", "span", 0);
+  if (span > x.back()) {
+    x.push_back(span);
+    values.insert(values.end(), values.begin(),
+                  values.begin() + static_cast<std::ptrdiff_t>(places.y.size()));
+  }
+  figure.field = FigureField{places.y, std::move(x), std::move(values), "mode", true};
   figure.is_to_scale = true;
   return figure;
 }
@@ -200,7 +215,7 @@ std::vector<NamedFigure> figures_of_modes(const hdf5::Reader& file) {
     const std::vector<double> other = is_complex ? row_of(imaginary, j) : std::vector<double>();
     figures.push_back({fmt::format("mode_{}", j + 1),
                        places->x.empty() ? along_chord(places->y, row_of(real, j), other)
-                                         : on_flag(*places, row_of(real, j))});
+                                         : on_flag(file, *places, row_of(real, j))});
   }
   return figures;
 }

@@ -72,8 +72,9 @@ def spod(snapshots, dt, length, overlap, window):
         values = np.linalg.eigvalsh(q.conj().T @ q / len(firsts))[::-1][:min(q.shape)]
         alone = k == 0 or 2 * k == length
         energy.append((values * (1 if alone or not is_real else 2)).tolist())
-    f = abs(f[:count]) if is_real else f
-    return {"f": f.tolist(), "energy": energy, "blocks": len(firsts)}
+    order = range(count) if is_real else np.argsort(f)
+    f, energy = [abs(f[k]) if is_real else f[k] for k in order], [energy[k] for k in order]
+    return {"f": f, "energy": energy, "blocks": len(firsts)}
 
 
 def main():

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/decomposition/foreign_file.hpp"
+#include "analysis/decomposition/study.hpp"
 #include "analysis/figures/plot.hpp"
 #include "analysis/signal/run_study.hpp"
 #include "analysis/signal/series.hpp"
@@ -80,6 +82,7 @@ ForeignFiles::ForeignFiles() {
   add_flag();
   add_flow();
   add_oblique_run();
+  add_snapshots();
 }
 
 fs::path ForeignFiles::run(const std::string& command, const std::string& name,
@@ -223,6 +226,57 @@ void ForeignFiles::add_oblique_run() {
                           fs::copy_options::overwrite_existing);
           (void)analysis::analyze_run(run, analysis::Settings(), analysis::RunContext());
         });
+}
+
+// Snapshots of another code, and what they are decomposed into.
+void ForeignFiles::add_snapshots() {
+  const std::vector<double> t = analysis::equal_times(0, 3, 31);
+  std::vector<double> q, z;
+  for (const double time : t)
+    for (int i = 0; i < 24; ++i) {
+      q.push_back(std::cos(0.3 * i - 4 * time));
+      z.push_back(0.1 * std::cos(0.5 * i + 5 * time));
+    }
+  const std::vector<double> ones(24, 1.0), y = analysis::equal_times(0, 1, 6);
+  hdf5::Writer field(folder_ / "field.h5");
+  field.write("/t", {31}, t);
+  field.write("/q", {31, 2, 12}, q);
+  field.write("/weight", {12}, std::span(ones).first(12));
+  field.write("/coordinates", {12, 2}, ones);
+  field.finish();
+  hdf5::Writer flag(folder_ / "foreign_flag.h5");
+  flag.write("/t", {31}, t);
+  flag.write("/z", {31, 4, 6}, z);
+  flag.write("/y", {6}, y);
+  flag.write("/x", {4}, std::vector<double>{0, 0.5, 1, 1.5}, {{"span", 2.0}});
+  flag.finish();
+  using decomposition::Method;
+  const auto decomposed = [this](const fs::path& file, Method method) {
+    decomposition::Settings settings;
+    settings.method = method;
+    settings.block = 10;
+    fs::create_directories(folder_ / "decomposed");
+    (void)decomposition::decompose(
+        decomposition::open_foreign_file(file, decomposition::Foreign::flag, {}), settings,
+        OutputFolder(folder_ / "decomposed"));
+  };
+  for (const auto& [name, file] :
+       {std::pair("field", "field.h5"), std::pair("shape", "foreign_flag.h5")})
+    for (const Method method : {Method::pod, Method::dmd, Method::spod}) {
+      add(fmt::format("{} decomposed by {}", name, static_cast<int>(method)), folder_ / file,
+          [=](const fs::path& damaged) { decomposed(damaged, method); });
+    }
+  add("waves of a shape", folder_ / "foreign_flag.h5",
+      [=](const fs::path& damaged) { decomposed(damaged, Method::waves); });
+  for (const auto& [name, method] :
+       {std::pair("pod", Method::pod), std::pair("dmd", Method::dmd),
+        std::pair("spod", Method::spod), std::pair("waves", Method::waves)}) {
+    decomposed(folder_ / "foreign_flag.h5", method);
+    const fs::path kept = folder_ / fmt::format("{}.h5", name);
+    fs::rename(folder_ / "decomposed/decomposition.h5", kept);
+    add(fmt::format("picture of {}", name), kept,
+        [](const fs::path& file) { (void)analysis::pictures_of(file); });
+  }
 }
 
 Answers ForeignFiles::damage(std::int64_t count, std::uint64_t first) {

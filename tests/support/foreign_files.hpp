@@ -53,6 +53,7 @@ class ForeignFiles {
   void add_flag();
   void add_flow();
   void add_oblique_run();
+  void add_snapshots();
 
   TemporaryFolder folder_;
   std::vector<Kind> kinds_;
