@@ -48,6 +48,7 @@ Case::Case(const std::filesystem::path& file, std::span<const std::string> overr
   resolve(lsa.verdicts.table, "lsa.verdicts.table", file, faults);
   resolve(modes.decompose.samples, "modes.decompose.samples", file, faults);
   resolve(dns.loads.traction, "dns.loads.traction", file, faults);
+  resolve(decompose.global_modes, "decompose.global_modes", file, faults);
   resolve(dns.initial.global_modes, "dns.initial.global_modes", file, faults);
   if (asked.flow && !has_flow)
     faults.about("flow", "[flow] is missing: Re, the Reynolds number V L/nu, has no default");

@@ -14,6 +14,7 @@
 #include "app/run_of_case.hpp"
 #include "common/errors.hpp"
 #include "common/parallel/ranks.hpp"
+#include "modes/normal/study.hpp"
 
 namespace pennon::app {
 namespace {
@@ -50,6 +51,21 @@ std::unique_ptr<decomposition::Snapshots> open_run(const fs::path& run, double m
                                  : decomposition::open_run_fluid(run, settings.window_of_time());
 }
 
+// Those of [decompose] alone; a path given on the command line counts from where that is typed.
+std::vector<std::string> checked(std::vector<std::string> overrides) {
+  constexpr std::string_view path_key = "decompose.global_modes=";
+  for (std::string& assignment : overrides) {
+    if (!assignment.starts_with("decompose."))
+      throw InputError("--set " + assignment,
+                       "is no setting of pennon decompose, which takes decompose.key=value");
+    if (!assignment.starts_with(path_key)) continue;
+    const std::string path = assignment.substr(path_key.size());
+    if (!path.starts_with('"'))
+      assignment = fmt::format("{}{}", path_key, fs::absolute(path).string());
+  }
+  return overrides;
+}
+
 // results/<name of the file>/decompose, or beside the results of a run.
 fs::path usual_folder(const fs::path& source, bool is_run) {
   if (!is_run) return fs::path("results") / source.stem() / "decompose";
@@ -57,9 +73,33 @@ fs::path usual_folder(const fs::path& source, bool is_run) {
   return (is_command_folder ? source / ".." : source) / "decompose";
 }
 
+// What a projection projects on. `beside`: the folder of the results of a run's case.
+std::vector<decomposition::GivenMode> given_modes(const decomposition::Settings& settings,
+                                                  const Case* the_case, const fs::path& beside) {
+  using decomposition::Method;
+  if (settings.method == Method::normal_modes) {
+    if (the_case == nullptr)
+      throw InputError("decompose.method",
+                       "decompose.method = \"normal_modes\" is of a run, whose case says "
+                       "what the flag is");
+    return decomposition::given_modes(
+        modes::run(the_case->modes, the_case->flag, the_case->flow).modes);
+  }
+  if (settings.method != Method::global_modes) return {};
+  if (settings.global_modes.empty() && the_case == nullptr)
+    throw InputError("decompose.global_modes",
+                     "decompose.global_modes is missing: the file in which pennon "
+                     "modes left them");
+  return decomposition::given_global_modes(settings.global_modes.empty()
+                                               ? beside / "modes" / "global_modes.h5"
+                                               : fs::path(settings.global_modes),
+                                           settings.n_modes);
+}
+
 void work(const DecomposeOptions& options, const fs::path& source, bool is_run,
           const Schema& schema, const decomposition::Settings& settings,
-          std::unique_ptr<decomposition::Snapshots> snapshots, Record& record) {
+          std::unique_ptr<decomposition::Snapshots> snapshots,
+          std::vector<decomposition::GivenMode> given, Record& record) {
   ResultFolder results(
       (options.output.empty() ? usual_folder(source, is_run) : fs::path(options.output))
           .lexically_normal(),
@@ -72,7 +112,8 @@ void work(const DecomposeOptions& options, const fs::path& source, bool is_run,
   const decomposition::Decomposition found = [&] {
     const auto timer = record.time("decompose");
     try {
-      return decomposition::decompose(std::move(snapshots), settings, results.output());
+      return decomposition::decompose(std::move(snapshots), settings, results.output(),
+                                      std::move(given));
     } catch (const InputError&) {
       results.withdraw();
       throw;
@@ -93,10 +134,7 @@ void work(const DecomposeOptions& options, const fs::path& source, bool is_run,
 
 void run_decompose(const DecomposeOptions& options) {
   Record record(options.command_line);
-  for (const std::string& assignment : options.overrides)
-    if (!assignment.starts_with("decompose."))
-      throw InputError("--set " + assignment,
-                       "is no setting of pennon decompose, which takes decompose.key=value");
+  const std::vector<std::string> overrides = checked(options.overrides);
   const fs::path given = options.source;
   if (!fs::exists(given))
     throw InputError(given.string(),
@@ -109,18 +147,23 @@ void run_decompose(const DecomposeOptions& options) {
       throw InputError(given.string(),
                        "has no case.resolved.toml; pennon decompose takes the folder of a run "
                        "of pennon dns, or of its case");
-    const Case the_case(the_case_file, options.overrides, {});
+    const bool is_on_normal_modes =
+        Case(the_case_file, overrides, {}).decompose.method == decomposition::Method::normal_modes;
+    // Then they are checked too.
+    const Case the_case(the_case_file, overrides, {.modes = is_on_normal_modes});
     try {
       work(options, run, true, the_case.schema, the_case.decompose,
-           open_run(run, the_case.flag.mu, the_case.decompose), record);
+           open_run(run, the_case.flag.mu, the_case.decompose),
+           given_modes(the_case.decompose, &the_case, usual_folder(run, true).parent_path()),
+           record);
     } catch (const InputError& fault) {
       throw the_case.located(fault);
     }
     return;
   }
-  const TableAlone asked("--set", options.overrides);
+  const TableAlone asked("--set", overrides);
   work(options, given, false, asked.schema, asked.settings, open_file(given, asked.settings),
-       record);
+       given_modes(asked.settings, nullptr, {}), record);
 }
 
 }  // namespace pennon::app

@@ -17,9 +17,11 @@ pennon_test(test_decomposition
   SOURCES
     unit/analysis/decomposition/dmd.cpp
     unit/analysis/decomposition/pod.cpp
+    unit/analysis/decomposition/projection.cpp
     unit/analysis/decomposition/sources.cpp
     unit/analysis/decomposition/spod.cpp
   SEPARATE
     unit/analysis/decomposition/dmd.cpp
+    unit/analysis/decomposition/projection.cpp
     unit/analysis/decomposition/spod.cpp
   LINK pennon::analysis_decomposition GTest::gmock)

@@ -101,7 +101,59 @@ void add_waves(const Decomposition& found, Json& json) {
                              {"amplitude", wave.amplitude()}});
 }
 
-constexpr const char* method_names[] = {"pod", "dmd", "spod", "waves"};
+// Root of the mean square of an amplitude.
+double size_of(const Projection& projection, std::size_t mode) {
+  return projection.a.row(static_cast<Index>(mode)).norm() /
+         std::sqrt(static_cast<double>(projection.a.cols()));
+}
+
+Slopes slopes_of_mode(const Decomposition& found, std::size_t mode) {
+  return slopes_of(found.times.t, found.projection->a.row(static_cast<Index>(mode)));
+}
+
+void add_projection(const Decomposition& found, Json& json) {
+  const Projection& projection = *found.projection;
+  json["error"] = projection.error();
+  json["condition_number"] = projection.condition_number;
+  json["modes"] = Json::array();
+  for (std::size_t j = 0; j < projection.modes.size(); ++j) {
+    const GivenMode& mode = projection.modes[j];
+    const Slopes slopes = slopes_of_mode(found, j);
+    Json one = {{"mode", mode.name},
+                {"k_x", mode.k},
+                {"amplitude", size_of(projection, j)},
+                {"growth", slopes.growth},
+                {"growth_error", slopes.growth_error},
+                {"omega", nullptr},
+                {"omega_error", nullptr},
+                {"growth_of_mode", mode.lambda.real()},
+                {"omega_of_mode", mode.lambda.imag()}};
+    if (!mode.is_standing) {
+      one["omega"] = slopes.omega;
+      one["omega_error"] = slopes.omega_error;
+    }
+    json["modes"].push_back(std::move(one));
+  }
+}
+
+std::string text_of_projection(const Decomposition& found) {
+  const Projection& projection = *found.projection;
+  std::string text = fmt::format(
+      "  left of all shapes: {:.3g} of their norm; condition number {:.3g}\n"
+      "  {:24} amplitude       growth +- error       omega +- error   the mode's own\n",
+      projection.error(), projection.condition_number, "");
+  for (std::size_t j = 0; j < projection.modes.size(); ++j) {
+    const GivenMode& mode = projection.modes[j];
+    const Slopes slopes = slopes_of_mode(found, j);
+    text += fmt::format("  {:24} {:9.3g} {:12.5g} +- {:7.1e}", mode.name, size_of(projection, j),
+                        slopes.growth, slopes.growth_error);
+    text += mode.is_standing
+                ? fmt::format("{:>23}", "-")
+                : fmt::format(" {:11.5g} +- {:7.1e}", slopes.omega, slopes.omega_error);
+    text += fmt::format("   {:.5g} {:+.5g} i\n", mode.lambda.real(), mode.lambda.imag());
+  }
+  return text;
+}
 
 std::string text_of_pod(const Decomposition& found) {
   std::string text = "  mode      energy     share  together\n";
@@ -157,7 +209,7 @@ std::string text_of_waves(const Decomposition& found) {
 }  // namespace
 
 nlohmann::ordered_json to_json(const Decomposition& found) {
-  Json json = {{"method", method_names[static_cast<int>(found.settings.method)]},
+  Json json = {{"method", name_of(found.settings.method)},
                {"source", found.layout.name},
                {"quantity", found.layout.quantity},
                {"snapshots", found.times.t.size()},
@@ -171,6 +223,7 @@ nlohmann::ordered_json to_json(const Decomposition& found) {
   if (found.dmd) add_dmd(found, json);
   if (found.spod) add_spod(found, json);
   if (found.settings.method == Method::waves) add_waves(found, json);
+  if (found.projection) add_projection(found, json);
   json["notes"] = found.notes;
   return json;
 }
@@ -185,6 +238,7 @@ std::string text_of(const Decomposition& found) {
   if (found.dmd) text += text_of_dmd(found);
   if (found.spod) text += text_of_spod(found);
   if (found.settings.method == Method::waves) text += text_of_waves(found);
+  if (found.projection) text += text_of_projection(found);
   return text;
 }
 
@@ -232,6 +286,25 @@ void write_table(const Decomposition& found, const OutputFolder& folder) {
     for (const SpanwiseWaveParts& wave : found.waves)
       table.row({static_cast<double>(wave.n), wave.k_x, wave.amplitude(), wave.standing(),
                  wave.travelling()});
+    text = table.text();
+  }
+  if (found.projection) {
+    std::vector<std::string> columns = {"t", "rest"};
+    for (std::size_t j = 0; j < found.projection->modes.size(); ++j)
+      for (const char* part : {"real", "imag"})
+        columns.push_back(fmt::format("a_{}_{}", j + 1, part));
+    CsvText table(
+        "amplitudes of the modes, in the order of summary.json, and the norm of what is left",
+        columns);
+    for (std::size_t m = 0; m < found.times.t.size(); ++m) {
+      const auto at = static_cast<Index>(m);
+      std::vector<double> row = {found.times.t[m], found.projection->rest(at)};
+      for (Index j = 0; j < found.projection->a.rows(); ++j) {
+        row.push_back(found.projection->a(j, at).real());
+        row.push_back(found.projection->a(j, at).imag());
+      }
+      table.row(row);
+    }
     text = table.text();
   }
   write_file(folder / "decomposition.csv", text);

@@ -27,6 +27,16 @@ std::optional<double> bytes_in(const std::string& text) {
 
 }  // namespace
 
+const std::vector<std::string>& method_names() {
+  static const std::vector<std::string> names = {"pod",   "dmd",          "spod",
+                                                 "waves", "normal_modes", "global_modes"};
+  return names;
+}
+
+const std::string& name_of(Method method) {
+  return method_names()[static_cast<std::size_t>(method)];
+}
+
 double Settings::memory_bytes() const {
   constexpr double unknown = 2e9;
   if (const auto bytes = bytes_in(memory)) return *bytes;
@@ -38,14 +48,14 @@ void declare(Schema& schema, Settings& settings) {
       .table("decompose",
              "What `pennon decompose` does with a run, or with the snapshots of another code.",
              &settings.is_given)
-      .key({"method", choice(settings.method, {"pod", "dmd", "spod", "waves"}),
+      .key({"method", choice(settings.method, method_names()),
             "proper orthogonal modes; dynamic modes; spectral proper orthogonal modes; waves along "
-            "the span"})
+            "the span; amplitudes on the normal modes of [modes.normal], or on global modes"})
       .key({"of", choice(settings.of, {"flag", "fluid"}),
             "of a run: z of the flag's shapes, or the velocity in the fluid's fields; of a file of "
             "another code with both: z, or q"})
       .key({"mean", choice(settings.mean, {"removed", "kept"}), "of each value over the snapshots",
-            any_sign, false, "kept for dmd, else removed"})
+            any_sign, false, "removed for pod, spod and waves, else kept"})
       .key({"n_modes", &settings.n_modes, "modes that are reported and kept", Range{1, 10000},
             false, "10, or as many as there are"})
       .key({"block", &settings.block, "of spod: snapshots in a Welch block", Range{4, 1e9}})
@@ -70,6 +80,9 @@ void declare(Schema& schema, Settings& settings) {
            Range{0, 1e6}, false, "all together"})
       .key({"y", &settings.y, "of waves: the place along the chord; the nearest station is taken",
             any_sign})
+      .key({"global_modes", &settings.global_modes,
+            "of global_modes: the file in which pennon modes left them; empty: "
+            "modes/global_modes.h5 beside the run"})
       .key({"memory", &settings.memory,
             "of all ranks together, as \"2GB\" or \"500MB\"; empty: half of what is free"});
 }
@@ -81,14 +94,13 @@ void check(const Settings& settings, Faults& faults) {
   if (!settings.memory.empty() && !bytes_in(settings.memory))
     about_key(faults, "decompose.memory",
               fmt::format("= \"{}\" is no size; \"2GB\" or \"500MB\" is one", settings.memory));
-  if (settings.method == Method::waves && settings.wave)
+  const std::string method = fmt::format("decompose.method = \"{}\"", name_of(settings.method));
+  if (settings.is_of_shapes() && settings.wave)
     about_key(faults, "decompose.wave",
-              "chooses one wave, but decompose.method = \"waves\" is of all; "
-              "leave it out");
-  if (settings.method == Method::waves && settings.of == Of::fluid)
+              "chooses one wave, but " + method + " is of all; leave it out");
+  if (settings.is_of_shapes() && settings.of == Of::fluid)
     about_key(faults, "decompose.of",
-              "= \"fluid\" does not go with decompose.method = \"waves\", which is "
-              "of the flag; decompose.wave with another method is of any field");
+              "= \"fluid\" does not go with " + method + ", which is of the flag");
 }
 
 }  // namespace pennon::decomposition

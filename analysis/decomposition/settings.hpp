@@ -14,7 +14,11 @@
 
 namespace pennon::decomposition {
 
-enum class Method { pod, dmd, spod, waves };
+enum class Method { pod, dmd, spod, waves, normal_modes, global_modes };
+/// As a case names them, in their order.
+const std::vector<std::string>& method_names();
+const std::string& name_of(Method);
+
 enum class Of { flag, fluid };
 enum class Mean { removed, kept };
 
@@ -22,7 +26,7 @@ struct Settings {
   bool is_given = false;
   Method method = Method::pod;
   Of of = Of::flag;
-  std::optional<Mean> mean;             ///< none: kept for dmd, else removed
+  std::optional<Mean> mean;             ///< none: removed for pod, spod and waves, else kept
   std::optional<std::int64_t> n_modes;  ///< none: ten, or as many as there are
   std::int64_t block = 128;
   double overlap = 0.5;
@@ -33,10 +37,17 @@ struct Settings {
   DmdVariant variant = DmdVariant::exact;
   std::optional<std::int64_t> wave;  ///< along the span; none: all together
   double y = 1;                      ///< where waves are taken
+  std::string global_modes;          ///< their file; empty: beside the run
   std::string memory;                ///< "2GB"; empty: half of what is free
 
-  bool removes_mean() const { return mean ? *mean == Mean::removed : method != Method::dmd; }
+  bool removes_mean() const {
+    const bool is_removed_unasked =
+        method == Method::pod || method == Method::spod || method == Method::waves;
+    return mean ? *mean == Mean::removed : is_removed_unasked;
+  }
   Window window_of_time() const { return {from, to}; }
+  /// Of a flag, in the places where its nodes are.
+  bool is_of_shapes() const { return method >= Method::waves; }
   /// Bytes.
   double memory_bytes() const;
 };

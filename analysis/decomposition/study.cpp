@@ -49,9 +49,9 @@ class ResultFile {
   ResultFile(const Decomposition& found, const OutputFolder& folder) {
     if (!ranks::is_leading()) return;
     file_.emplace(folder / file_name);
-    constexpr const char* names[] = {"pod", "dmd", "spod", "waves"};
+
     file_->attributes({{"kind", "decomposition"},
-                       {"method", names[static_cast<int>(found.settings.method)]},
+                       {"method", name_of(found.settings.method)},
                        {"source", found.layout.name},
                        {"quantity", found.layout.quantity},
                        {"components", fmt::format("{}", fmt::join(found.layout.components, ","))},
@@ -262,8 +262,32 @@ void find_waves(const Bands<double>& bands, Decomposition& found, const OutputFo
   file.finish();
 }
 
+void find_projection(const Bands<double>& bands, std::vector<GivenMode> given, Decomposition& found,
+                     const OutputFolder& folder) {
+  found.projection = project(bands, std::move(given));
+  const Projection& projection = *found.projection;
+  found.variance = projection.whole.squaredNorm() / static_cast<double>(projection.whole.size());
+  found.n_modes = projection.modes.size();
+  ResultFile file(found, folder);
+  const std::size_t M = found.times.t.size();
+  std::vector<double> growth, omega, k;
+  for (const GivenMode& mode : projection.modes) {
+    growth.push_back(mode.lambda.real());
+    omega.push_back(mode.lambda.imag());
+    k.push_back(mode.k);
+  }
+  file.write("/k", {k.size()}, k, "wavenumber of each mode along x");
+  file.write("/growth", {k.size()}, growth, "growth rate that the mode has");
+  file.write("/omega", {k.size()}, omega, "angular frequency that the mode has");
+  file.write_complex("/coefficients", projection.a, "amplitude of each mode at each time");
+  file.write("/rest", {M}, list_of(projection.rest), "norm of what is left at each time");
+  file.write("/whole", {M}, list_of(projection.whole), "norm of the shape at each time");
+  file.finish();
+}
+
 template <class Scalar>
-void find(const Snapshots& snapshots, Decomposition& found, const OutputFolder& folder) {
+void find(const Snapshots& snapshots, std::vector<GivenMode> given, Decomposition& found,
+          const OutputFolder& folder) {
   const Settings& settings = found.settings;
   const Bands<Scalar> bands(snapshots, {.removes_mean = settings.removes_mean(),
                                         .is_weighted = settings.method != Method::waves,
@@ -272,8 +296,10 @@ void find(const Snapshots& snapshots, Decomposition& found, const OutputFolder& 
   if (settings.method == Method::pod) find_pod(bands, found, folder);
   if (settings.method == Method::dmd) find_dmd(bands, found, folder);
   if (settings.method == Method::spod) find_spod(bands, found, folder);
-  if constexpr (std::is_same_v<Scalar, double>)
+  if constexpr (std::is_same_v<Scalar, double>) {
     if (settings.method == Method::waves) find_waves(bands, found, folder);
+    if (settings.method > Method::waves) find_projection(bands, std::move(given), found, folder);
+  }
 }
 
 // What a reader should mind about these numbers.
@@ -327,18 +353,20 @@ std::vector<std::string> notes_on(const Decomposition& found) {
 }  // namespace
 
 Decomposition decompose(std::unique_ptr<Snapshots> snapshots, const Settings& settings,
-                        const OutputFolder& folder) {
+                        const OutputFolder& folder, std::vector<GivenMode> given) {
   if (settings.wave) snapshots = spanwise_wave(std::move(snapshots), *settings.wave);
   Decomposition found{.settings = settings, .layout = snapshots->layout(), .times = {}};
   found.is_complex = found.layout.is_complex;
   if (found.is_complex) {
-    if (settings.method == Method::waves)
-      throw InputError("decompose.method",
-                       "decompose.method = \"waves\" is of a flag's shape, and " +
-                           found.layout.name + " holds complex numbers");
-    find<Complex>(*snapshots, found, folder);
+    if (settings.is_of_shapes())
+      throw InputError(
+          "decompose.method",
+          fmt::format("decompose.method = \"{}\" is of a flag's shape, and {} holds complex "
+                      "numbers",
+                      name_of(settings.method), found.layout.name));
+    find<Complex>(*snapshots, {}, found, folder);
   } else {
-    find<double>(*snapshots, found, folder);
+    find<double>(*snapshots, std::move(given), found, folder);
   }
   found.notes = notes_on(found);
   return found;

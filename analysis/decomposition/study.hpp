@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/decomposition/dmd.hpp"
+#include "analysis/decomposition/projection.hpp"
 #include "analysis/decomposition/settings.hpp"
 #include "analysis/decomposition/snapshots.hpp"
 #include "analysis/decomposition/spod.hpp"
@@ -38,11 +39,14 @@ struct Decomposition {
   std::optional<Dmd> dmd = {};
   std::optional<SpodResult> spod = {};
   std::vector<SpanwiseWaveParts> waves = {};
+  std::optional<Projection> projection = {};
   std::vector<std::string> notes = {};  ///< what to mind, in sentences
 };
 
+/// `given`: the modes on which normal_modes and global_modes project.
 /// Decomposes and writes decomposition.h5, on the leading rank; every rank calls. Throws InputError
 /// where the data or the settings do not serve, SolverError where a fit does not converge.
-Decomposition decompose(std::unique_ptr<Snapshots>, const Settings&, const OutputFolder&);
+Decomposition decompose(std::unique_ptr<Snapshots>, const Settings&, const OutputFolder&,
+                        std::vector<GivenMode> given = {});
 
 }  // namespace pennon::decomposition

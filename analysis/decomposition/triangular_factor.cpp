@@ -23,18 +23,25 @@ DenseMatrix<Scalar> gathered(const DenseMatrix<Scalar>& mine) {
 }  // namespace
 
 template <class Scalar>
+DenseMatrix<Scalar> gathered_factor(const DenseMatrix<Scalar>& mine) {
+  if (ranks::count() == 1) return mine;
+  StackedQr<Scalar> of_all(mine.cols());
+  of_all.add(gathered(mine));
+  return of_all.R();
+}
+template <class Scalar>
 DenseMatrix<Scalar> triangular_factor(const Bands<Scalar>& bands) {
   const auto M = static_cast<double>(bands.snapshots());
   StackedQr<Scalar> factor(bands.snapshots());
   constexpr double factors = 3;  // the factor, its copy, and what is added to it
   bands.for_each(sizeof(Scalar) * M, factors * sizeof(Scalar) * M * M,
                  [&](const BandOfData<Scalar>& data) { factor.add(data.A); });
-  if (ranks::count() == 1) return factor.R();
-  StackedQr<Scalar> of_all(bands.snapshots());
-  of_all.add(gathered(factor.R()));
-  return of_all.R();
+  return gathered_factor(factor.R());
 }
 
+template DenseMatrix<double> gathered_factor(const DenseMatrix<double>&);
+template DenseMatrix<std::complex<double>> gathered_factor(
+    const DenseMatrix<std::complex<double>>&);
 template DenseMatrix<double> triangular_factor(const Bands<double>&);
 template DenseMatrix<std::complex<double>> triangular_factor(const Bands<std::complex<double>>&);
 

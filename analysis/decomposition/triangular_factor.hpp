@@ -20,4 +20,8 @@ namespace pennon::decomposition {
 template <class Scalar>
 DenseMatrix<Scalar> triangular_factor(const Bands<Scalar>&);
 
+/// The factor of all ranks' rows together from that of each rank's; the same on every rank.
+template <class Scalar>
+DenseMatrix<Scalar> gathered_factor(const DenseMatrix<Scalar>& mine);
+
 }  // namespace pennon::decomposition

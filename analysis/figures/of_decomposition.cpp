@@ -123,6 +123,13 @@ Figure figure_over_time(const hdf5::Reader& file, const std::string& array, cons
   return figure;
 }
 
+// Amplitudes of given modes, and what they leave, on a logarithmic axis.
+Figure figure_of_amplitudes(const hdf5::Reader& file) {
+  Figure figure = figure_over_time(file, "/coefficients", "|{/:Italic a}|", "mode");
+  figure.y.is_log = true;
+  return figure;
+}
+
 struct Places {
   std::vector<double> x, y;  // x is empty without a span
 };
@@ -187,6 +194,7 @@ Figure figure_of_decomposition(const hdf5::Reader& file) {
   if (method == "dmd") return figure_of_eigenvalues(file);
   if (method == "spod") return figure_of_spectra(file);
   if (method == "waves") return figure_of_wave_amplitudes(file);
+  if (method == "normal_modes" || method == "global_modes") return figure_of_amplitudes(file);
   file.fail(fmt::format("is a decomposition by {}, which this pennon cannot draw",
                         method.empty() ? "no method" : method));
 }
@@ -205,6 +213,7 @@ std::vector<NamedFigure> figures_of_modes(const hdf5::Reader& file) {
   const std::optional<Places> places = places_of(file);
   if (!places) return figures;
   const bool is_complex = file.contains("/modes_real");
+  if (!is_complex && !file.contains("/modes")) return figures;
   const std::size_t points = places->y.size() * std::max<std::size_t>(places->x.size(), 1);
   const hdf5::Shape expected = {hdf5::any, 1, points};
   const std::string array = is_complex ? "/modes_real" : "/modes";

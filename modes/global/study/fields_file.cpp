@@ -116,6 +116,8 @@ class FieldsFile {
           [](const GlobalMode& mode) { return mode.lambda.real(); });
     write("/omega", "angular frequency, in V/L",
           [](const GlobalMode& mode) { return mode.lambda.imag(); });
+    write("/is_box", "1 where the mode belongs to the box in which the flow is computed",
+          [](const GlobalMode& mode) { return mode.kind == ModeKind::box ? 1.0 : 0.0; });
     write("/residual", "of the eigenpair", [](const GlobalMode& mode) { return mode.residual; });
   }
 

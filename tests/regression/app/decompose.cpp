@@ -234,6 +234,16 @@ TEST_F(DecomposeRun, FindsTheGlobalModeInItsLinearPhase) {
   }
   EXPECT_GT(std::abs(product) / std::sqrt(of_dynamic * of_global), std::cos(M_PI / 180));
 
+  // The amplitude on the mode grows and turns as the eigenvalue says, and nothing else is there.
+  const json projected = decomposed(
+      results("run"),
+      {"method=global_modes", "global_modes=" + results("modes") + "/global_modes.h5", "from=0.5"},
+      "projected");
+  const json& on_mode = projected.at("modes")[0];
+  EXPECT_LT(projected.at("error"), 1e-3);
+  EXPECT_LT(std::abs(Complex(on_mode.at("growth"), on_mode.at("omega")) - lambda), bound);
+  EXPECT_NEAR(on_mode.at("growth_of_mode"), lambda.real(), 1e-12);
+
   // In the fluid the mode stands beside the steady flow, which does not change.
   const json of_fluid =
       decomposed(results("run"), {"method=dmd", "of=fluid", "from=0.5"}, "fluid").at("modes");
