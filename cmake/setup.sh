@@ -56,7 +56,7 @@ set_up_programs() {
 
 # Builds the programs and the tests; with VALIDATION or BENCHMARKS those too.
 set_up_tests() {
-  install_packages run test
+  install_packages run test ${1:+"${1,,}"}
   say "configuring and building in build/"
   cmake --preset release ${1:+-D "PENNON_$1=ON"}
   cmake --build --preset release

@@ -17,13 +17,14 @@ pennon_test(test_app
   LINK pennon::analysis_decomposition pennon::analysis_figures Boost::headers GTest::gmock)
 pennon_test(test_app_validation
   SOURCES
+    validation/analysis/decomposition_oracle.cpp
     validation/app/compare_table1.cpp
     validation/app/long_step.cpp
     validation/dns/coupling/coupled_cases.cpp
     validation/modes/global/convergence.cpp
   SEPARATE
     validation/modes/global/convergence.cpp
-  LINK pennon::common_case pennon::common_io pennon::common_record fmt::fmt Boost::headers GTest::gmock)
+  LINK pennon::common_case pennon::common_io pennon::common_record pennon::analysis_decomposition fmt::fmt Boost::headers GTest::gmock)
 # Files that others may have written, or damaged.
 pennon_test(test_foreign_files
   SOURCES
