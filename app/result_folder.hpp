@@ -37,8 +37,8 @@ class ResultFolder {
 
   const OutputFolder& output() const { return *output_; }
 
-  /// Where the command found its input unfit before it wrote anything: takes back the case file, and
-  /// the folders that were made for it.
+  /// Where the command found its input unfit before it wrote anything: takes back the case file,
+  /// and the folders that were made for it.
   void withdraw();
 
   /// At the end: removes the files of an earlier run of this case that this one did not write.
