@@ -79,7 +79,7 @@ std::vector<decomposition::GivenMode> given_modes(const decomposition::Settings&
   using decomposition::Method;
   if (settings.method == Method::normal_modes) {
     if (the_case == nullptr)
-      throw InputError("decompose.method",
+      throw InputError("[decompose]",
                        "decompose.method = \"normal_modes\" is of a run, whose case says "
                        "what the flag is");
     return decomposition::given_modes(
@@ -87,7 +87,7 @@ std::vector<decomposition::GivenMode> given_modes(const decomposition::Settings&
   }
   if (settings.method != Method::global_modes) return {};
   if (settings.global_modes.empty() && the_case == nullptr)
-    throw InputError("decompose.global_modes",
+    throw InputError("[decompose]",
                      "decompose.global_modes is missing: the file in which pennon "
                      "modes left them");
   return decomposition::given_global_modes(settings.global_modes.empty()
@@ -114,7 +114,7 @@ void work(const DecomposeOptions& options, const fs::path& source, bool is_run,
     try {
       return decomposition::decompose(std::move(snapshots), settings, results.output(),
                                       std::move(given));
-    } catch (const InputError&) {
+    } catch (...) {  // before anything was written
       results.withdraw();
       throw;
     }

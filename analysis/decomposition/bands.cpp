@@ -7,6 +7,7 @@
 
 #include "analysis/signal/series.hpp"
 #include "common/errors.hpp"
+#include "common/interrupt.hpp"
 #include "common/parallel/ranks.hpp"
 
 namespace pennon::decomposition {
@@ -34,6 +35,34 @@ Eigen::MatrixXcd at_times(const Eigen::MatrixXcd& rows, const std::vector<double
   found.real() = at_times(MatrixXd(rows.real()), t, times);
   found.imag() = at_times(MatrixXd(rows.imag()), t, times);
   return found;
+}
+
+}  // namespace
+
+namespace {
+
+// Numbers whose squares are none.
+template <class Vector>
+void expect_squares(const Vector& sum) {
+  constexpr double largest = 1e140;
+  if (sum.cwiseAbs().maxCoeff() > largest)
+    throw InputError(
+        "[decompose]",
+        fmt::format("the data have values as large as {:.2g}, whose squares are no numbers; "
+                    "scale the data below {:.0e}",
+                    sum.cwiseAbs().maxCoeff(), largest));
+}
+
+// What is left of a value that does not change is rounding, and counts as nothing.
+template <class Scalar>
+void remove_mean(BandOfData<Scalar>& data) {
+  constexpr double rounding = 1e-15;
+  const Eigen::ArrayXd slack = rounding * data.mean.cwiseAbs().array();
+  for (Index m = 0; m < data.A.cols(); ++m) {
+    auto values = data.A.col(m).array();
+    values -= data.mean.array();
+    values = (values.abs() > slack).select(values, Scalar(0));
+  }
 }
 
 }  // namespace
@@ -80,7 +109,10 @@ void Bands<Scalar>::apply_weights(BandOfData<Scalar>& data) const {
   // Weights are 0 or more, and a spline need not be.
   if (times_.is_resampled) weight = at_times(weight, layout().t, times_.t).cwiseMax(0);
   data.mean_weight = weight.rowwise().mean();
-  data.A.array() *= weight.array().sqrt();
+  if (preparation_.has_mean_weight)
+    data.A.array().colwise() *= data.mean_weight.array().sqrt().template cast<Scalar>();
+  else
+    data.A.array() *= weight.array().sqrt();
 }
 
 template <class Scalar>
@@ -89,6 +121,7 @@ void Bands<Scalar>::read(Band band, BandOfData<Scalar>& data) const {
   if (band.count == 0) {
     data.A.resize(0, snapshots());
     data.mean_weight.resize(0);
+    data.mean.resize(0);
     return;
   }
   read_values(snapshots_, band, data.A);
@@ -96,11 +129,10 @@ void Bands<Scalar>::read(Band band, BandOfData<Scalar>& data) const {
   for (Index m = 1; m < data.A.cols(); ++m) sum += data.A.col(m);
   if (!sum.allFinite()) expect_finite(layout(), data.A, band.first);
   if (times_.is_resampled) data.A = at_times(data.A, layout().t, times_.t);
-  if (preparation_.removes_mean) {
-    if (times_.is_resampled) sum = data.A.rowwise().sum();
-    const auto mean = (sum / static_cast<double>(data.A.cols())).eval();
-    for (Index m = 0; m < data.A.cols(); ++m) data.A.col(m) -= mean;
-  }
+  if (times_.is_resampled) sum = data.A.rowwise().sum();
+  expect_squares(sum);
+  data.mean = sum / static_cast<double>(data.A.cols());
+  if (preparation_.removes_mean) remove_mean(data);
   apply_weights(data);
 }
 
@@ -118,7 +150,7 @@ void Bands<Scalar>::for_each(double bytes_per_value, double bytes, const Use& us
   if (!(most >= 1)) {
     const double needed = ranks::count() * (bytes + of_value);
     throw InputError(
-        "decompose.memory",
+        "[decompose]",
         fmt::format("decompose.memory = {:.3g} GB is too little for {} snapshots: {:.3g} GB "
                     "at least are needed; take fewer snapshots with decompose.from and "
                     "decompose.to, or shorter blocks",
@@ -133,6 +165,7 @@ void Bands<Scalar>::for_each(double bytes_per_value, double bytes, const Use& us
   const std::size_t end = all.first + all.count, bands = (longest + width - 1) / width;
   BandOfData<Scalar> data;
   for (std::size_t k = 0; k < bands; ++k) {
+    stop_if_interrupted("nothing was written");
     const std::size_t first = std::min(all.first + k * width, end);
     read({first, std::min(width, end - first)}, data);
     use(data);

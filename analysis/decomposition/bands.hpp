@@ -14,6 +14,7 @@ struct BandOfData {
   Band band;
   DenseMatrix<Scalar> A;  ///< W^1/2 q, values x M: its plain squares add up to the norm
   Eigen::VectorXd mean_weight;
+  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> mean;  ///< of q, whether removed or not
 
   /// Modes of A as modes of q, in place: divides by the root of the mean weight; 0 where that is 0.
   void take_weight_from(Eigen::MatrixXd& modes) const;
@@ -24,7 +25,10 @@ struct BandOfData {
 struct Preparation {
   bool removes_mean = true;
   bool is_weighted = true;  ///< else W = 1
-  double memory = 1e9;      ///< bytes, of all ranks together
+  /// Weights that change with time are replaced by their mean: for methods that compare snapshots,
+  /// so that what moves is q and not the weight.
+  bool has_mean_weight = false;
+  double memory = 1e9;  ///< bytes, of all ranks together
 };
 
 template <class Scalar>

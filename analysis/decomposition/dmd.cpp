@@ -12,6 +12,7 @@
 #include "analysis/decomposition/variable_projection.hpp"
 #include "common/errors.hpp"
 #include "common/linear_algebra/signal_rank.hpp"
+#include "common/linear_algebra/stacked_qr.hpp"
 
 namespace pennon::decomposition {
 namespace {
@@ -33,25 +34,26 @@ constexpr double vanishing = 1e-8;
 Index checked_rank(const VectorXd& sigma, std::size_t values, Index columns,
                    std::optional<Index> asked) {
   if (!(sigma(0) > 0))
-    throw InputError("decompose.mean", "all snapshots are zero: there is nothing to decompose");
+    throw InputError("[decompose]", "all snapshots are zero: there is nothing to decompose");
   const auto n = static_cast<double>(values), m = static_cast<double>(columns);
   if (!asked)
     return std::max<Index>(signal_rank(sigma, std::min(n, m) / std::max(n, m), roundoff), 1);
   const Index most = (sigma.array() > roundoff * sigma(0)).cast<Index>().sum();
   if (*asked > most)
     throw InputError(
-        "decompose.rank",
-        fmt::format("decompose.rank = {} is above {}, the rank of these data: {} snapshots "
-                    "of {} values, whose further singular values are roundoff",
+        "[decompose]",
+        fmt::format("decompose.rank = {} is above {}, the rank of these data: {} "
+                    "snapshots of {} values, whose further singular values are roundoff; "
+                    "decompose.delays makes it higher",
                     *asked, most, columns, values));
   return *asked;
 }
 
-// lambda, modes and residuals as they come; b_j and the order follow.
+// What both variants find, mode by mode as they come.
 struct Found {
   VectorXcd theta;
-  MatrixXcd combination;  // of the M snapshots
-  MatrixXcd X_c, Y_c;
+  MatrixXcd combination;  // of the M snapshots: each mode's part in the first snapshot
+  VectorXd residual;
   VectorXd growth_variance, omega_variance;  // of lambda
 };
 
@@ -65,14 +67,14 @@ struct ExactParts {
 };
 
 template <class Scalar>
-ExactParts<Scalar> exact_parts(const DenseMatrix<Scalar>& R, std::size_t values,
+ExactParts<Scalar> exact_parts(const DenseMatrix<Scalar>& H, std::size_t values,
                                std::optional<Index> asked) {
-  const Index pairs = R.cols() - 1;
+  const Index pairs = H.cols() - 1;
   ExactParts<Scalar> parts;
-  parts.svd = thin_svd<Scalar>(R.leftCols(pairs));
+  parts.svd = thin_svd<Scalar>(H.leftCols(pairs));
   const auto& [U, sigma, V] = parts.svd;
   parts.rank = checked_rank(sigma, values, pairs, asked);
-  parts.reduced = U.leftCols(parts.rank).adjoint() * R.rightCols(pairs) * V.leftCols(parts.rank) *
+  parts.reduced = U.leftCols(parts.rank).adjoint() * H.rightCols(pairs) * V.leftCols(parts.rank) *
                   sigma.head(parts.rank).cwiseInverse().asDiagonal();
   const Eigen::ComplexEigenSolver<MatrixXcd> solver(parts.reduced.template cast<Complex>());
   parts.theta = solver.eigenvalues();
@@ -80,16 +82,26 @@ ExactParts<Scalar> exact_parts(const DenseMatrix<Scalar>& R, std::size_t values,
   return parts;
 }
 
+// Each snapshot with the d - 1 behind it, one below the other, by their triangular factor.
+template <class Scalar>
+DenseMatrix<Scalar> stacked(const DenseMatrix<Scalar>& R, Index delays) {
+  if (delays == 1) return R;
+  const Index columns = R.cols() - delays + 1;
+  StackedQr<Scalar> factor(columns);
+  for (Index d = 0; d < delays; ++d) factor.add(R.middleCols(d, columns));
+  return factor.R();
+}
+
 // To first order an error e_m of each snapshot changes theta_j by sum_m l_j^* U^* e_m (c_(m-1) -
 // theta c_m): as the later one of a pair, and as the earlier. In white noise of variance s^2 the
 // pairs are missed by s^2 (n + |A|^2) each, A the reduced matrix.
 template <class Scalar>
-void set_exact_errors(const DenseMatrix<Scalar>& R, const ExactParts<Scalar>& parts,
+void set_exact_errors(const DenseMatrix<Scalar>& H, const ExactParts<Scalar>& parts,
                       const MatrixXcd& c, double dt, std::size_t values, Found& found) {
   const auto& [U, sigma, V] = parts.svd;
-  const Index pairs = R.cols() - 1, r = parts.rank;
+  const Index pairs = H.cols() - 1, r = parts.rank;
   const DenseMatrix<Scalar> x = sigma.head(r).asDiagonal() * V.leftCols(r).adjoint();
-  const double missed = (R.rightCols(pairs) - U.leftCols(r) * (parts.reduced * x)).squaredNorm();
+  const double missed = (H.rightCols(pairs) - U.leftCols(r) * (parts.reduced * x)).squaredNorm();
   const double freedom = static_cast<double>(std::max<Index>(pairs - r, 1)) *
                          (static_cast<double>(values) + parts.reduced.squaredNorm());
   const double noise = missed / freedom;
@@ -97,7 +109,7 @@ void set_exact_errors(const DenseMatrix<Scalar>& R, const ExactParts<Scalar>& pa
   found.growth_variance.resize(r);
   found.omega_variance.resize(r);
   for (Index j = 0; j < r; ++j) {
-    VectorXcd change = VectorXcd::Zero(R.cols());
+    VectorXcd change = VectorXcd::Zero(H.cols());
     change.tail(pairs) += c.col(j);
     change.head(pairs) -= parts.theta(j) * c.col(j);
     change /= parts.theta(j) * dt;
@@ -111,19 +123,20 @@ void set_exact_errors(const DenseMatrix<Scalar>& R, const ExactParts<Scalar>& pa
 }
 
 template <class Scalar>
-Found exact(const DenseMatrix<Scalar>& R, double dt, std::size_t values,
-            const ExactParts<Scalar>& parts) {
+Found exact(const DenseMatrix<Scalar>& R, const DenseMatrix<Scalar>& H, double dt,
+            std::size_t values, const ExactParts<Scalar>& parts) {
   const auto& [U, sigma, V] = parts.svd;
-  const Index pairs = R.cols() - 1, r = parts.rank;
+  const Index pairs = H.cols() - 1, r = parts.rank;
   const MatrixXcd c = V.leftCols(r) * sigma.head(r).cwiseInverse().asDiagonal() * parts.W;
-  Found found{parts.theta,
-              MatrixXcd::Zero(R.cols(), r),
-              U.leftCols(r) * parts.W,
-              R.rightCols(pairs) * c,
-              {},
-              {}};
-  found.combination.bottomRows(pairs) = c;
-  set_exact_errors(R, parts, c, dt, values, found);
+  const MatrixXcd X_c = U.leftCols(r) * parts.W, Y_c = H.rightCols(pairs) * c;
+  Found found{parts.theta, MatrixXcd::Zero(R.cols(), r), VectorXd(r), {}, {}};
+  const VectorXcd b = Y_c.colPivHouseholderQr().solve(H.col(0).template cast<Complex>());
+  for (Index j = 0; j < r; ++j) {
+    found.combination.col(j).segment(1, pairs) = b(j) * c.col(j);
+    found.residual(j) = (Y_c.col(j) - parts.theta(j) * X_c.col(j)).norm() /
+                        (std::abs(parts.theta(j)) * X_c.col(j).norm());
+  }
+  set_exact_errors(H, parts, c, dt, values, found);
   return found;
 }
 
@@ -140,114 +153,150 @@ MatrixXcd duals(const MatrixXcd& Phi) {
 }
 
 template <class Scalar>
-Found optimised(const DenseMatrix<Scalar>& R, double dt, std::size_t values,
-                const ExactParts<Scalar>& start, Index rank, const Svd<Scalar>& whole,
-                Dmd& result) {
+Found optimised(const DenseMatrix<Scalar>& R, const DenseMatrix<Scalar>& H, double dt,
+                std::size_t values, Index rank) {
   const Index M = R.cols(), pairs = M - 1;
+  const Svd<Scalar> whole = thin_svd(R);
+  const Index signals = std::min<Index>(
+      rank, (whole.sigma.array() > roundoff * whole.sigma(0)).template cast<Index>().sum());
   std::vector<double> t;
+  t.reserve(static_cast<std::size_t>(M));
   for (Index m = 0; m < M; ++m) t.push_back(dt * static_cast<double>(m));
-  const MatrixXcd Z = (whole.sigma.head(rank).asDiagonal() * whole.V.leftCols(rank).adjoint())
+  const MatrixXcd Z = (whole.sigma.head(signals).asDiagonal() * whole.V.leftCols(signals).adjoint())
                           .transpose()
                           .template cast<Complex>();
+  const ExactParts<Scalar> start = exact_parts(H, values, rank);
   VectorXcd lambda(rank);
   for (Index j = 0; j < rank; ++j) {
-    const Complex theta = start.theta(j);
     constexpr double fastest_decay = -3;  // of log theta, to start from
+    const Complex theta = start.theta(j);
     lambda(j) =
         Complex(std::max(std::log(std::abs(theta) + 1e-300), fastest_decay), std::arg(theta)) / dt;
   }
   const ExponentialFit fit = fit_exponentials(Z, t, lambda, is_real<Scalar>);
   const double left =
-      fit.misfit_squared + whole.sigma.tail(whole.sigma.size() - rank).squaredNorm();
-  result.misfit = std::sqrt(left) / whole.sigma.norm();
+      fit.misfit_squared + whole.sigma.tail(whole.sigma.size() - signals).squaredNorm();
   const double n = static_cast<double>(values), r = static_cast<double>(rank);
-  const double freedom = std::max(n * static_cast<double>(M) - n * r - r, 1.0);
-  const double noise = left / freedom;
+  const double noise = left / std::max(n * static_cast<double>(M) - n * r - r, 1.0);
 
   Found found;
   found.theta = (fit.lambda * dt).array().exp();
   found.combination = duals(fit.Phi);
   const MatrixXcd c = duals(fit.Phi.topRows(pairs));
-  found.X_c = R.leftCols(pairs) * c;
-  found.Y_c = R.rightCols(pairs) * c;
-  const VectorXd modulus = fit.variance, square = fit.pseudo_variance.real();
-  found.growth_variance = noise * (modulus + square) / 2;
-  found.omega_variance = noise * (modulus - square) / 2;
+  const MatrixXcd X_c = R.leftCols(pairs) * c, Y_c = R.rightCols(pairs) * c;
+  found.residual.resize(rank);
+  for (Index j = 0; j < rank; ++j)
+    found.residual(j) = (Y_c.col(j) - found.theta(j) * X_c.col(j)).norm() /
+                        (std::abs(found.theta(j)) * X_c.col(j).norm());
+  const VectorXd square = fit.pseudo_variance.real();
+  found.growth_variance = noise * (fit.variance + square) / 2;
+  found.omega_variance = noise * (fit.variance - square) / 2;
   return found;
+}
+
+// What the sum of all modes leaves of the snapshots, over their norm.
+template <class Scalar>
+double misfit_of(const DenseMatrix<Scalar>& R, const VectorXcd& theta, const MatrixXcd& parts) {
+  double left = 0;
+  VectorXcd power = VectorXcd::Ones(theta.size());
+  for (Index m = 0; m < R.cols(); ++m) {
+    left += (R.col(m).template cast<Complex>() - parts * power).squaredNorm();
+    power = power.cwiseProduct(theta);
+  }
+  return std::sqrt(left) / R.norm();
+}
+
+// The largest mean square first; of the two of a pair that with omega > 0.
+std::vector<Index> order_of(const VectorXcd& theta, const VectorXd& mean_square, bool is_real) {
+  std::vector<Index> order(static_cast<std::size_t>(theta.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::ranges::greater(), [&](Index j) { return mean_square(j); });
+  constexpr double same = 1e-6;
+  if (is_real)
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+      const Complex first = theta(order[k]), second = theta(order[k + 1]);
+      if (first.imag() < 0 && std::abs(second - std::conj(first)) < same * std::abs(first))
+        std::swap(order[k], order[k + 1]);
+    }
+  return order;
 }
 
 }  // namespace
 
 template <class Scalar>
-Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, DmdVariant variant,
-        std::optional<Index> asked) {
-  if (R.cols() < 3)
+Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, const DmdChoice& choice) {
+  const Index M = R.cols();
+  if (M < choice.delays + 2)
     throw InputError(
-        "decompose.method",
-        fmt::format("dynamic modes need 3 snapshots at least; there are {}", R.cols()));
+        "[decompose]",
+        fmt::format(
+            "dynamic modes with decompose.delays = {} need {} snapshots at least; there are {}",
+            choice.delays, choice.delays + 2, M));
   Dmd result;
-  ExactParts<Scalar> parts;
   Found found;
-  if (variant == DmdVariant::exact) {
-    parts = exact_parts(R, values, asked);
+  // More exponentials than shapes are told apart by later snapshots alone.
+  Index delays = choice.delays;
+  if (choice.variant == DmdVariant::optimised && choice.rank)
+    delays = std::max(
+        delays, std::min(*choice.rank / std::max<Index>(std::min(R.rows(), M), 1) + 2, M / 2));
+  const bool needs_delays = choice.variant == DmdVariant::optimised && choice.rank &&
+                            *choice.rank > checked_rank(singular_values(R), values, M, {});
+  if (!needs_delays) delays = choice.delays;
+  const DenseMatrix<Scalar> H = stacked(R, delays);
+  const std::size_t stacked_values = values * static_cast<std::size_t>(delays);
+  if (choice.variant == DmdVariant::exact) {
+    const ExactParts<Scalar> parts = exact_parts(H, stacked_values, choice.rank);
     result.rank = parts.rank;
-    found = exact(R, dt, values, parts);
+    found = exact(R, H, dt, stacked_values, parts);
   } else {
-    const Svd<Scalar> whole = thin_svd(R);
-    result.rank = checked_rank(whole.sigma, values, R.cols(), asked);
-    result.rank = std::min(result.rank, R.cols() - 1);
-    parts = exact_parts(R, values, result.rank);
-    found = optimised(R, dt, values, parts, result.rank, whole, result);
+    result.rank = checked_rank(singular_values<Scalar>(H.leftCols(H.cols() - 1)), stacked_values,
+                               H.cols() - 1, choice.rank);
+    result.rank_of_signal = result.rank;
+    for (bool is_found = false; !is_found;) {
+      try {
+        found = optimised(R, H, dt, stacked_values / static_cast<std::size_t>(delays), result.rank);
+        is_found = true;
+      } catch (const SolverError&) {
+        // Without a rank that was asked for, one that can be fitted.
+        if (choice.rank || result.rank == 1) throw;
+        result.rank = std::min(result.rank - 1, result.rank * 4 / 5);
+      }
+    }
   }
 
-  const Index M = R.cols();
   std::vector<Index> kept;
   for (Index j = 0; j < result.rank; ++j)
     if (std::abs(found.theta(j)) > vanishing) kept.push_back(j);
   result.vanished = result.rank - static_cast<Index>(kept.size());
-  const auto count = static_cast<Index>(kept.size());
-  MatrixXcd phi(R.rows(), count);
-  result.combination.resize(M, count);
-  for (Index k = 0; k < count; ++k) {
-    const Index j = kept[static_cast<std::size_t>(k)];
-    phi.col(k) = R * found.combination.col(j);
-    const double size = phi.col(k).norm();
-    phi.col(k) /= size;
-    result.combination.col(k) = found.combination.col(j) / size;
-  }
-  const VectorXcd b = phi.colPivHouseholderQr().solve(R.col(0).template cast<Complex>());
-  std::vector<DmdMode> modes;
-  std::vector<double> mean_square;
-  for (Index k = 0; k < count; ++k) {
-    const Index j = kept[static_cast<std::size_t>(k)];
-    const Complex theta = found.theta(j);
-    // The phase of a mode is that with which the first snapshot holds it.
-    result.combination.col(k) *= b(k) == 0.0 ? Complex(1) : b(k) / std::abs(b(k));
-    modes.push_back({std::log(theta) / dt, std::abs(b(k)),
-                     (found.Y_c.col(j) - theta * found.X_c.col(j)).norm() /
-                         (std::abs(theta) * found.X_c.col(j).norm()),
-                     std::sqrt(found.growth_variance(j)),
-                     std::sqrt(std::max(found.omega_variance(j), 0.0))});
+  const MatrixXcd parts = R * found.combination(Eigen::all, kept);
+  const VectorXcd theta = found.theta(kept);
+  result.misfit = misfit_of(R, theta, parts);
+  VectorXd mean_square(theta.size());
+  for (Index k = 0; k < theta.size(); ++k) {
     double sum = 0;
-    for (Index m = 0; m < M; ++m)
-      sum += std::exp(2 * modes.back().lambda.real() * dt * static_cast<double>(m));
-    mean_square.push_back(std::norm(b(k)) * sum);
+    for (Index m = 0; m < M; ++m) sum += std::pow(std::norm(theta(k)), static_cast<double>(m));
+    mean_square(k) = parts.col(k).squaredNorm() * sum;
   }
-  std::vector<Index> order(modes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, [&](Index a, Index other) {
-    return mean_square[static_cast<std::size_t>(a)] > mean_square[static_cast<std::size_t>(other)];
-  });
-  const MatrixXcd unsorted = result.combination;
-  for (Index k = 0; k < count; ++k) {
-    result.combination.col(k) = unsorted.col(order[static_cast<std::size_t>(k)]);
-    result.modes.push_back(modes[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])]);
+  result.combination.resize(M, theta.size());
+  for (const Index k : order_of(theta, mean_square, is_real<Scalar>)) {
+    const Index j = kept[static_cast<std::size_t>(k)];
+    const double amplitude = parts.col(k).norm();
+    const double growth_error = std::sqrt(std::max(found.growth_variance(j), 0.0)),
+                 omega_error = std::sqrt(std::max(found.omega_variance(j), 0.0));
+    result.combination.col(static_cast<Index>(result.modes.size())) =
+        found.combination.col(j) / std::max(amplitude, 1e-300);
+    result.modes.push_back(
+        {std::log(theta(k)) / dt, amplitude, found.residual(j), growth_error, omega_error});
+    if (!std::isfinite(amplitude + growth_error + omega_error))
+      throw SolverError(
+          fmt::format("the dynamic modes of rank {} are no numbers: two of them are the same to "
+                      "rounding; decompose.rank takes fewer",
+                      result.rank));
   }
   return result;
 }
 
-template Dmd dmd(const DenseMatrix<double>&, double, std::size_t, DmdVariant, std::optional<Index>);
-template Dmd dmd(const DenseMatrix<Complex>&, double, std::size_t, DmdVariant,
-                 std::optional<Index>);
+template Dmd dmd(const DenseMatrix<double>&, double, std::size_t, const DmdChoice&);
+template Dmd dmd(const DenseMatrix<Complex>&, double, std::size_t, const DmdChoice&);
 
 }  // namespace pennon::decomposition

@@ -17,6 +17,10 @@
 /// vectors, from the exact eigenvalues on. In white noise it is the estimate of greatest likelihood
 /// but for that projection.
 ///
+/// An oscillation that stands has one shape for both its phases, and no shape alone says how it
+/// moves: then each snapshot is stacked with the d - 1 behind it (delays; Arbabi & Mezic 2017),
+/// which the exact variant needs, and the optimised one to start from.
+///
 /// Errors are one standard deviation in white noise of the size that the misfit has, by the
 /// linearised fit; those of the exact variant without its bias, those of the optimised one, with
 /// the true lambda and noise, the bound of Cramer and Rao. What the data hold beside r exponentials
@@ -33,35 +37,47 @@ namespace pennon::decomposition {
 
 enum class DmdVariant { exact, optimised };
 
+struct DmdChoice {
+  DmdVariant variant = DmdVariant::exact;
+  std::optional<Eigen::Index> rank = {};  ///< none: that of the signal (signal_rank.hpp)
+  Eigen::Index delays = 1;                ///< snapshots that are stacked, d
+};
+
 struct DmdMode {
   std::complex<double> lambda;  ///< growth + i (angular frequency)
-  double amplitude = 0;         ///< b_j: the first snapshot as a sum of modes, by least squares
+  /// b_j: exact, of the first snapshots as a sum of modes, by least squares; optimised, of all. A
+  /// pair of real data swings with twice as much.
+  double amplitude = 0;
   /// |Y c - theta X c|/(|theta| |X c|), c the combination of snapshots that is the mode; 0 where
-  /// the data are such a sum.
+  /// the data are such a sum, and also where the rank is that of the data, whatever they do: see
+  /// the misfit.
   double residual = 0;
   double growth_error = 0, omega_error = 0;
 };
 
 struct Dmd {
   Eigen::Index rank = 0;
-  std::vector<DmdMode> modes;  ///< the largest mean square over the snapshots first
-  /// phi_j as a sum of weighted snapshots, a column for each mode.
+  Eigen::Index rank_of_signal =
+      0;  ///< optimised: where it was higher, no fit of that rank was found
+  /// The largest mean square over the snapshots first; of a pair the one with omega > 0 first.
+  std::vector<DmdMode> modes;
+  /// phi_j as a sum of weighted snapshots, a column for each mode, with the phase that it has in
+  /// the first snapshot.
   Eigen::MatrixXcd combination;
-  double misfit = 0;  ///< of the optimised fit: the norm of what is left over that of the data
+  /// What the sum of all modes leaves of all snapshots, over their norm.
+  double misfit = 0;
   Eigen::Index vanished = 0;  ///< eigenvalues theta = 0, which have no lambda
 };
 
 /// `values`: how many values a snapshot has; with the number of snapshots it sets the shape of the
-/// matrix whose rank is asked for. `rank`: none, that of the signal (signal_rank.hpp). Throws
-/// InputError where the rank is above that of the data, or there are fewer than 3 snapshots;
-/// SolverError where the optimised fit does not converge.
+/// matrix whose rank is asked for. Throws InputError where the rank is above that of the data, or
+/// there are too few snapshots; SolverError where the optimised fit does not converge, for a rank
+/// that was asked for or for any.
 template <class Scalar>
-Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, DmdVariant,
-        std::optional<Eigen::Index> rank);
+Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, const DmdChoice&);
 
-extern template Dmd dmd(const DenseMatrix<double>&, double, std::size_t, DmdVariant,
-                        std::optional<Eigen::Index>);
-extern template Dmd dmd(const DenseMatrix<std::complex<double>>&, double, std::size_t, DmdVariant,
-                        std::optional<Eigen::Index>);
+extern template Dmd dmd(const DenseMatrix<double>&, double, std::size_t, const DmdChoice&);
+extern template Dmd dmd(const DenseMatrix<std::complex<double>>&, double, std::size_t,
+                        const DmdChoice&);
 
 }  // namespace pennon::decomposition

@@ -47,7 +47,8 @@ class Columns {
   double x(std::size_t point) const {
     if (!layout_.stations) return 0;
     const std::size_t of_station = layout_.points / layout_.stations->count;
-    return layout_.stations->span * static_cast<double>(point / of_station) /
+    const std::size_t station = point / of_station;
+    return layout_.stations->span * static_cast<double>(station) /
            static_cast<double>(layout_.stations->count);
   }
 
@@ -61,20 +62,20 @@ void expect_shapes(const Layout& layout, const std::vector<GivenMode>& modes) {
   for (const GivenMode& mode : modes) {
     if (mode.k == 0) continue;
     if (!has_span)
-      throw InputError("decompose.method",
+      throw InputError("[decompose]",
                        fmt::format("{} has k_x = {}, and the shapes in {} have no span", mode.name,
                                    mode.k, layout.name));
     const double waves = std::abs(mode.k) * layout.stations->span / (2 * std::numbers::pi);
     constexpr double slack = 1e-6;
     if (std::abs(waves - std::round(waves)) > slack)
       throw InputError(
-          "decompose.method",
+          "[decompose]",
           fmt::format("{} has {:.6g} waves (k_x = {}) in the span {} of {}; it must be a whole "
                       "number",
                       mode.name, waves, mode.k, layout.stations->span, layout.name));
     if (2 * waves >= static_cast<double>(layout.stations->count))
       throw InputError(
-          "decompose.method",
+          "[decompose]",
           fmt::format("{} has {:.0f} waves in the span, which {} stations do not resolve",
                       mode.name, waves, layout.stations->count));
   }
@@ -109,8 +110,8 @@ Slopes slopes_of(const std::vector<double>& t, const Eigen::VectorXcd& a) {
 Projection project(const Bands<double>& bands, std::vector<GivenMode> modes) {
   const Layout& layout = bands.layout();
   if (layout.y.empty())
-    throw InputError("decompose.method", "the modes are shapes of a flag, and " + layout.name +
-                                             " holds none (z with y, or a run)");
+    throw InputError("[decompose]", "the modes are shapes of a flag, and " + layout.name +
+                                        " holds none (z with y, or a run)");
   expect_shapes(layout, modes);
   const Columns columns(layout, modes);
   const Index K = columns.count(), M = bands.snapshots();
@@ -130,7 +131,7 @@ Projection project(const Bands<double>& bands, std::vector<GivenMode> modes) {
   constexpr double undetermined = 1e-12;
   if (scaled.rows() < K || !(singular(K - 1) > undetermined * singular(0)))
     throw InputError(
-        "decompose.n_modes",
+        "[decompose]",
         fmt::format("{} nodes do not tell {} modes apart ({} amplitudes): some sum of them "
                     "vanishes at all nodes; take fewer modes",
                     layout.points, modes.size(), K));

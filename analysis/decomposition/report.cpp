@@ -57,7 +57,8 @@ void add_pod(const Decomposition& found, Json& json) {
 void add_dmd(const Decomposition& found, Json& json) {
   json["rank"] = found.dmd->rank;
   json["variant"] = found.settings.variant == DmdVariant::exact ? "exact" : "optimised";
-  if (found.settings.variant == DmdVariant::optimised) json["misfit"] = found.dmd->misfit;
+  json["misfit"] = nullptr;
+  if (std::isfinite(found.dmd->misfit)) json["misfit"] = found.dmd->misfit;
   json["modes"] = Json::array();
   for (const DmdMode& mode : shown_modes(found))
     json["modes"].push_back({{"growth", mode.lambda.real()},
@@ -171,8 +172,7 @@ std::string text_of_dmd(const Decomposition& found) {
   std::string text =
       fmt::format("  rank {}{}\n", found.dmd->rank,
                   found.settings.rank ? "" : ", by the singular values above the noise");
-  if (found.settings.variant == DmdVariant::optimised)
-    text += fmt::format("  misfit of all snapshots: {:.3g} of their norm\n", found.dmd->misfit);
+  text += fmt::format("  misfit of all snapshots: {:.3g} of their norm\n", found.dmd->misfit);
   text += "        growth +- error          omega +- error    amplitude  residual\n";
   for (const DmdMode& mode : shown_modes(found))
     text += fmt::format("  {:13.6g} +- {:8.1e} {:12.6g} +- {:8.1e}  {:9.3g}  {:8.1e}\n",
@@ -184,7 +184,7 @@ std::string text_of_dmd(const Decomposition& found) {
 std::string text_of_spod(const Decomposition& found) {
   const Spod& spod = found.spod->spod;
   std::string text = fmt::format(
-      "  {} blocks of {} snapshots, worth {:.3g} independent ones\n"
+      "  {} blocks of {} snapshots each, worth {:.3g} independent ones\n"
       "  highest first energies:\n         f     energy   95 % interval         "
       "share of f\n",
       spod.blocks.count(), spod.blocks.length, spod.independent_blocks);
@@ -281,8 +281,10 @@ void write_table(const Decomposition& found, const OutputFolder& folder) {
     text = table.text();
   }
   if (found.settings.method == Method::waves) {
-    CsvText table("waves along the span: root mean squares, in L",
-                  {"n", "k_x", "amplitude", "standing", "travelling"});
+    CsvText table(
+        "waves along the span: amplitudes of cosines, in L, the middle of the snapshots counting "
+        "most",
+        {"n", "k_x", "amplitude", "standing", "travelling"});
     for (const SpanwiseWaveParts& wave : found.waves)
       table.row({static_cast<double>(wave.n), wave.k_x, wave.amplitude(), wave.standing(),
                  wave.travelling()});

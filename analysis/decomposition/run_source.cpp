@@ -195,6 +195,7 @@ std::unique_ptr<Snapshots> open_run_fluid(const std::filesystem::path& folder,
                      "has no fields of the fluid (fields_*.h5); a run keeps them with "
                      "dns.output.field_interval");
   std::vector<double> t;
+  t.reserve(files.size());
   for (const std::filesystem::path& path : files) t.push_back(hdf5::Reader(path).number("/", "t"));
   const Selection taken = selected(t, window, folder.string());
   files.erase(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(taken.first));

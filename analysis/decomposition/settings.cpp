@@ -74,6 +74,10 @@ void declare(Schema& schema, Settings& settings) {
             "the singular values above the noise by Gavish and Donoho's rule"})
       .key({"variant", choice(settings.variant, {"exact", "optimised"}),
             "of dmd: exact (biased by noise), or the best fit to all snapshots"})
+      .key({"delays", &settings.delays,
+            "of dmd: snapshots that are stacked, one behind the other; 2 and more tell "
+            "oscillations that stand",
+            Range{1, 1000}})
       .key(
           {"wave", &settings.wave,
            "decompose the wave with so many periods along the span alone, by its complex amplitude",

@@ -35,6 +35,7 @@ struct Settings {
   std::optional<double> from, to;
   std::optional<std::int64_t> rank;
   DmdVariant variant = DmdVariant::exact;
+  std::int64_t delays = 1;
   std::optional<std::int64_t> wave;  ///< along the span; none: all together
   double y = 1;                      ///< where waves are taken
   std::string global_modes;          ///< their file; empty: beside the run

@@ -109,7 +109,7 @@ void expect_equal_stations(const Snapshots& whole) {
 
 std::unique_ptr<Snapshots> spanwise_wave(std::unique_ptr<Snapshots> whole, std::int64_t n) {
   const Layout& layout = whole->layout();
-  const std::string key = "decompose.wave";
+  const std::string key = "[decompose]";
   if (!layout.stations)
     throw InputError(
         key, fmt::format("decompose.wave = {} needs a span, and {} has none: stations x with "

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "common/interrupt.hpp"
 #include "common/parallel/ranks.hpp"
 
 namespace pennon::decomposition {
@@ -131,6 +132,7 @@ Spod spod(const Bands<Scalar>& bands, const Blocks& blocks) {
   const double bytes = of_value * static_cast<double>(2 * B + piece);
   bands.for_each(0, bytes, [&](const BandOfData<Scalar>& data) {
     for (Index i = 0; i < data.A.rows(); i += piece) {
+      stop_if_interrupted("nothing was written");
       const auto part = data.A.middleRows(i, std::min(piece, data.A.rows() - i));
       for (MatrixXcd& of_frequency : q) of_frequency.resize(part.rows(), B);
       transform_values<Scalar>(part, blocks, w, transform, q);
@@ -169,7 +171,7 @@ std::vector<Index> peaks(const Spod& spod, std::size_t count) {
 template <class Scalar>
 void for_each_band_of_spod_modes(const Bands<Scalar>& bands, const Spod& spod,
                                  const std::vector<Index>& frequencies, Index modes,
-                                 const UseSpodModes& use) {
+                                 const UseSpodModes<Scalar>& use) {
   const Blocks& blocks = spod.blocks;
   const Index N = blocks.length, B = blocks.count();
   const double dt = bands.times().dt, scale = std::sqrt(dt / static_cast<double>(N));
@@ -207,7 +209,7 @@ void for_each_band_of_spod_modes(const Bands<Scalar>& bands, const Spod& spod,
       for (Index j = 0; j < count; ++j)
         phi.col(j) *= energy(j) > 0 ? factor / std::sqrt(energy(j)) : 0;
       data.take_weight_from(phi);
-      use(data.band, k, phi);
+      use(data, k, phi);
     }
   });
 }
@@ -215,8 +217,10 @@ void for_each_band_of_spod_modes(const Bands<Scalar>& bands, const Spod& spod,
 template Spod spod(const Bands<double>&, const Blocks&);
 template Spod spod(const Bands<Complex>&, const Blocks&);
 template void for_each_band_of_spod_modes(const Bands<double>&, const Spod&,
-                                          const std::vector<Index>&, Index, const UseSpodModes&);
+                                          const std::vector<Index>&, Index,
+                                          const UseSpodModes<double>&);
 template void for_each_band_of_spod_modes(const Bands<Complex>&, const Spod&,
-                                          const std::vector<Index>&, Index, const UseSpodModes&);
+                                          const std::vector<Index>&, Index,
+                                          const UseSpodModes<Complex>&);
 
 }  // namespace pennon::decomposition

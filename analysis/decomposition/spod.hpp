@@ -51,19 +51,21 @@ std::vector<Eigen::Index> peaks(const Spod&, std::size_t count);
 
 /// For each band of this rank: phi_j at a frequency for the first `modes`, values x modes, for each
 /// of the frequencies chosen.
-using UseSpodModes = std::function<void(Band, std::size_t chosen, const Eigen::MatrixXcd& phi)>;
+template <class Scalar>
+using UseSpodModes =
+    std::function<void(const BandOfData<Scalar>&, std::size_t chosen, const Eigen::MatrixXcd& phi)>;
 template <class Scalar>
 void for_each_band_of_spod_modes(const Bands<Scalar>&, const Spod&,
                                  const std::vector<Eigen::Index>& frequencies, Eigen::Index modes,
-                                 const UseSpodModes&);
+                                 const UseSpodModes<Scalar>&);
 
 extern template Spod spod(const Bands<double>&, const Blocks&);
 extern template Spod spod(const Bands<std::complex<double>>&, const Blocks&);
 extern template void for_each_band_of_spod_modes(const Bands<double>&, const Spod&,
                                                  const std::vector<Eigen::Index>&, Eigen::Index,
-                                                 const UseSpodModes&);
+                                                 const UseSpodModes<double>&);
 extern template void for_each_band_of_spod_modes(const Bands<std::complex<double>>&, const Spod&,
                                                  const std::vector<Eigen::Index>&, Eigen::Index,
-                                                 const UseSpodModes&);
+                                                 const UseSpodModes<std::complex<double>>&);
 
 }  // namespace pennon::decomposition

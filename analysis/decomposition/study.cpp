@@ -39,6 +39,7 @@ std::vector<double> list_of(const VectorXd& values) {
 template <class Function>
 std::vector<double> each_of(const std::vector<DmdMode>& modes, const Function& number) {
   std::vector<double> values;
+  values.reserve(modes.size());
   for (const DmdMode& mode : modes) values.push_back(number(mode));
   return values;
 }
@@ -87,15 +88,35 @@ class ResultFile {
   std::optional<hdf5::Writer> file_;
 };
 
+// The mean of each value and its weight, without which the data are not rebuilt.
+template <class Scalar>
+class ValuesWriter {
+ public:
+  ValuesWriter(ResultFile& file, const Layout& layout)
+      : mean_(file.writer(), "/mean", layout, 1, !std::is_same_v<Scalar, double>,
+              "of each value over the snapshots"),
+        weight_(file.writer(), "/weight", layout, 1, false, "of each value, its mean over time") {}
+  void add(const BandOfData<Scalar>& data) {
+    mean_.add(data.band, 0, DenseMatrix<Scalar>(data.mean));
+    weight_.add(data.band, 0, Eigen::MatrixXd(data.mean_weight));
+  }
+
+ private:
+  ModesWriter mean_, weight_;
+};
+
 template <class Scalar, class Mode>
 void write_modes(const Bands<Scalar>& bands, const DenseMatrix<Mode>& combination,
                  const std::string& meaning, ResultFile& file) {
   ModesWriter writer(file.writer(), "/modes", bands.layout(),
                      static_cast<std::size_t>(combination.cols()), !std::is_same_v<Mode, double>,
                      meaning);
+  ValuesWriter<Scalar> values(file, bands.layout());
   for_each_band_of_modes<Scalar, Mode>(
-      bands, combination,
-      [&](Band band, const DenseMatrix<Mode>& phi) { writer.add(band, 0, phi); });
+      bands, combination, [&](const BandOfData<Scalar>& data, const DenseMatrix<Mode>& phi) {
+        writer.add(data.band, 0, phi);
+        values.add(data);
+      });
 }
 
 // As many as are asked for, else ten or all there are.
@@ -103,7 +124,7 @@ std::size_t number_of_modes(std::optional<std::int64_t> asked, Index there,
                             const std::string& why) {
   constexpr Index unasked = 10;
   if (asked && *asked > there)
-    throw InputError("decompose.n_modes",
+    throw InputError("[decompose]",
                      fmt::format("decompose.n_modes = {} is more than the {} there are: {}", *asked,
                                  there, why));
   return static_cast<std::size_t>(asked ? *asked : std::min(unasked, there));
@@ -143,8 +164,8 @@ void find_dmd(const Bands<Scalar>& bands, Decomposition& found, const OutputFold
   found.variance = R.squaredNorm() / static_cast<double>(R.cols());
   std::optional<Index> rank;
   if (settings.rank) rank = *settings.rank;
-  found.dmd =
-      decomposition::dmd(R, found.times.dt, bands.layout().values(), settings.variant, rank);
+  found.dmd = decomposition::dmd(R, found.times.dt, bands.layout().values(),
+                                 {settings.variant, rank, static_cast<Index>(settings.delays)});
   Dmd& dmd = *found.dmd;
   const auto count = static_cast<Index>(dmd.modes.size());
   ResultFile file(found, folder);
@@ -182,7 +203,7 @@ std::vector<Index> kept_frequencies(const Spod& spod, const std::vector<double>&
     constexpr double slack = 1e-9;
     if (std::abs(*nearest - f) > half_step * (1 + slack))
       throw InputError(
-          "decompose.frequencies",
+          "[decompose]",
           fmt::format("decompose.frequencies has {}, and those of the snapshots lie between {} "
                       "and {}",
                       f, std::ranges::min(spod.f), std::ranges::max(spod.f)));
@@ -207,13 +228,14 @@ void find_spod(const Bands<Scalar>& bands, Decomposition& found, const OutputFol
   for (const VectorXd& energy : spod.energy) sum += energy.sum();
   found.variance = sum / (static_cast<double>(blocks.length) * found.times.dt);
   if (!(found.variance > 0))
-    throw InputError("decompose.mean", "all snapshots are equal: nothing is left to decompose");
+    throw InputError("[decompose]", "all snapshots are equal: nothing is left to decompose");
   found.spod->kept = kept_frequencies(spod, settings.frequencies);
   const std::vector<Index>& kept = found.spod->kept;
 
   ResultFile file(found, folder);
   Eigen::MatrixXd energies(static_cast<Index>(spod.f.size()), there), intervals(energies.rows(), 2);
   std::vector<double> mode_f;
+  mode_f.reserve(kept.size());
   for (Index f = 0; f < energies.rows(); ++f) {
     energies.row(f) = spod.energy[static_cast<std::size_t>(f)];
     const auto interval = energy_interval(spod, f);
@@ -233,10 +255,13 @@ void find_spod(const Bands<Scalar>& bands, Decomposition& found, const OutputFol
         fmt::format("{} modes at each of mode_f one behind the other; mode, component, "
                     "point; of norm 1",
                     each));
-    for_each_band_of_spod_modes<Scalar>(bands, spod, kept, static_cast<Index>(each),
-                                        [&](Band band, std::size_t chosen, const MatrixXcd& phi) {
-                                          writer.add(band, chosen * each, phi);
-                                        });
+    ValuesWriter<Scalar> values(file, bands.layout());
+    for_each_band_of_spod_modes<Scalar>(
+        bands, spod, kept, static_cast<Index>(each),
+        [&](const BandOfData<Scalar>& data, std::size_t chosen, const MatrixXcd& phi) {
+          writer.add(data.band, chosen * each, phi);
+          if (chosen == 0) values.add(data);
+        });
   }
   file.finish();
 }
@@ -254,7 +279,13 @@ void find_waves(const Bands<double>& bands, Decomposition& found, const OutputFo
     along.push_back(wave.along);
     against.push_back(wave.against);
   }
-  found.variance = zeta.squaredNorm() / static_cast<double>(M);
+  // Of z: the mean over the stations of each wave's square is half of |zeta_n|^2, but at the ends.
+  for (const SpanwiseWaveParts& wave : found.waves) {
+    const bool is_alone =
+        wave.n == 0 || (bands.layout().stations && 2 * wave.n == bands.layout().stations->count);
+    found.variance += (is_alone ? 1 : 0.5) * zeta.row(static_cast<Index>(wave.n)).squaredNorm() /
+                      static_cast<double>(M);
+  }
   file.write("/k_x", {count}, k_x, "wavenumber of each wave n = 0 ... along the span");
   file.write("/along", {count}, along, "amplitude of what travels along +x");
   file.write("/against", {count}, against, "amplitude of what travels along -x");
@@ -291,6 +322,7 @@ void find(const Snapshots& snapshots, std::vector<GivenMode> given, Decompositio
   const Settings& settings = found.settings;
   const Bands<Scalar> bands(snapshots, {.removes_mean = settings.removes_mean(),
                                         .is_weighted = settings.method != Method::waves,
+                                        .has_mean_weight = settings.method == Method::dmd,
                                         .memory = settings.memory_bytes()});
   found.times = bands.times();
   if (settings.method == Method::pod) find_pod(bands, found, folder);
@@ -300,6 +332,45 @@ void find(const Snapshots& snapshots, std::vector<GivenMode> given, Decompositio
     if (settings.method == Method::waves) find_waves(bands, found, folder);
     if (settings.method > Method::waves) find_projection(bands, std::move(given), found, folder);
   }
+}
+
+void add_notes_on(const Dmd& dmd, const Decomposition& found, std::vector<std::string>& notes) {
+  constexpr double clean = 1e-6, large = 0.1, noise = 0.5;
+  if (!(dmd.misfit < large))
+    notes.push_back(fmt::format(
+        "the sum of these modes leaves {:.2g} of the snapshots' norm: noise, or motion that "
+        "they do not tell. decompose.delays = 2 or more tells oscillations that stand, a "
+        "higher decompose.rank more modes",
+        dmd.misfit));
+  const bool shows_noise =
+      std::ranges::any_of(dmd.modes, [](const DmdMode& mode) { return mode.residual > clean; });
+  if (found.settings.variant == DmdVariant::exact && shows_noise)
+    notes.emplace_back(
+        "noise makes exact dynamic modes decay too fast, which the errors do not hold; "
+        "decompose.variant = \"optimised\" has no such bias");
+  if (dmd.rank < dmd.rank_of_signal)
+    notes.push_back(fmt::format(
+        "{} singular values are above the noise, but {} exponentials are the most that could be "
+        "fitted",
+        dmd.rank_of_signal, dmd.rank));
+  if (dmd.vanished > 0)
+    notes.push_back(
+        fmt::format("{} of the {} eigenvalues vanish: what they hold is gone after one step",
+                    dmd.vanished, dmd.rank));
+  const auto spurious =
+      std::ranges::count_if(dmd.modes, [](const DmdMode& mode) { return mode.residual > noise; });
+  if (spurious > 0)
+    notes.push_back(fmt::format(
+        "{} of {} modes have a residual above 0.5: they are noise, and not dynamics; a lower "
+        "decompose.rank leaves them out",
+        spurious, dmd.modes.size()));
+  const auto unknown = std::ranges::count_if(dmd.modes, [](const DmdMode& mode) {
+    return mode.growth_error >= std::abs(mode.lambda.real());
+  });
+  if (unknown > 0)
+    notes.push_back(fmt::format(
+        "of {} of {} modes (both of a pair counted) the growth rate is zero within its error",
+        unknown, dmd.modes.size()));
 }
 
 // What a reader should mind about these numbers.
@@ -320,32 +391,15 @@ std::vector<std::string> notes_on(const Decomposition& found) {
                       "blocks or more snapshots help",
                       spod.blocks.count(), spod.independent_blocks, energy_interval(spod, 1)[1]));
   }
-  if (found.dmd) {
-    const Dmd& dmd = *found.dmd;
-    constexpr double clean = 1e-6;  // a residual that shows no noise
-    const auto noisy = std::ranges::max_element(dmd.modes, {}, &DmdMode::residual);
-    if (found.settings.variant == DmdVariant::exact && !dmd.modes.empty() &&
-        noisy->residual > clean)
-      notes.emplace_back(
-          "exact dynamic modes in noisy data decay too fast, which the errors do not hold; "
-          "decompose.variant = \"optimised\" has no such bias");
-    if (dmd.vanished > 0)
-      notes.push_back(
-          fmt::format("{} of the {} eigenvalues vanish: what they hold is gone after one step",
-                      dmd.vanished, dmd.rank));
-    const auto spurious =
-        std::ranges::count_if(dmd.modes, [](const DmdMode& mode) { return mode.residual > 0.5; });
-    if (spurious > 0)
-      notes.push_back(
-          fmt::format("{} of {} modes have a residual above 0.5: they are noise, and not dynamics; "
-                      "a lower decompose.rank leaves them out",
-                      spurious, dmd.modes.size()));
-    const auto unknown = std::ranges::count_if(dmd.modes, [](const DmdMode& mode) {
-      return mode.growth_error >= std::abs(mode.lambda.real());
-    });
-    if (unknown > 0)
-      notes.push_back(fmt::format("the growth rates of {} of {} modes are zero within their errors",
-                                  unknown, dmd.modes.size()));
+  if (found.dmd) add_notes_on(*found.dmd, found, notes);
+  if (found.settings.method == Method::waves) {
+    const auto short_wave = std::ranges::find_if(
+        found.waves, [](const SpanwiseWaveParts& wave) { return wave.is_short; });
+    if (short_wave != found.waves.end())
+      notes.push_back(fmt::format(
+          "the snapshots hold fewer than three periods of the wave n = {}: how much of it "
+          "travels is not to be told",
+          short_wave->n));
   }
   return notes;
 }
@@ -360,7 +414,7 @@ Decomposition decompose(std::unique_ptr<Snapshots> snapshots, const Settings& se
   if (found.is_complex) {
     if (settings.is_of_shapes())
       throw InputError(
-          "decompose.method",
+          "[decompose]",
           fmt::format("decompose.method = \"{}\" is of a flag's shape, and {} holds complex "
                       "numbers",
                       name_of(settings.method), found.layout.name));

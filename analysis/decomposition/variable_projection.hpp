@@ -23,7 +23,8 @@ struct ExponentialFit {
   int iterations = 0;
 };
 
-/// From the values `lambda` on. Throws SolverError where the iteration does not converge.
+/// From the values `lambda` on. Those of real signals stay in conjugate pairs. Throws SolverError
+/// where two exponentials cannot be told apart, or the iteration does not converge; Interrupted.
 ExponentialFit fit_exponentials(const Eigen::MatrixXcd& Z, const std::vector<double>& t,
                                 Eigen::VectorXcd lambda, bool is_real);
 

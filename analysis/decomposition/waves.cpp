@@ -39,6 +39,9 @@ void set_parts(SpanwiseWaveParts& wave) {
   // Forward coefficients k > 0 belong to exp(+i omega t).
   for (std::size_t k = 1; k < M; ++k) (2 * k < M ? against : along) += std::norm(values[k]);
   const auto squared = static_cast<double>(M) * static_cast<double>(M);
+  double slow = 0;
+  for (std::size_t k = 1; k < M; ++k) slow += std::min(k, M - k) < 3 ? std::norm(values[k]) : 0;
+  wave.is_short = slow > 0.5 * (along + against);
   wave.along = std::sqrt(along / squared);
   wave.against = std::sqrt(against / squared);
 }
@@ -48,8 +51,8 @@ void set_parts(SpanwiseWaveParts& wave) {
 std::vector<SpanwiseWaveParts> waves(const Bands<double>& bands, double y) {
   const Layout& layout = bands.layout();
   if (layout.y.empty())
-    throw InputError("decompose.method", "decompose.method = \"waves\" is of a flag, and " +
-                                             layout.name + " holds none (z with y, or a run)");
+    throw InputError("[decompose]", "decompose.method = \"waves\" is of a flag, and " +
+                                        layout.name + " holds none (z with y, or a run)");
   if (bands.snapshots() < 4)
     throw InputError(
         layout.name,

@@ -25,6 +25,8 @@ struct SpanwiseWaveParts {
   double k_x = 0;
   std::vector<std::complex<double>> zeta;  ///< at each time
   double along = 0, against = 0;           ///< root mean squares of |a_n|, |b_n|
+  /// Most of it swings fewer than three times in the snapshots.
+  bool is_short = false;
 
   double amplitude() const { return along + against; }
   double travelling() const { return along - against; }  ///< > 0: along +x

@@ -39,12 +39,12 @@ double Blocks::independent() const {
 Blocks welch_blocks(Eigen::Index snapshots, Eigen::Index length, double overlap, Taper taper) {
   constexpr Eigen::Index shortest = 4;
   if (length < shortest)
-    throw InputError("decompose.block", fmt::format("decompose.block = {} is below {}, the fewest "
-                                                    "snapshots in which a frequency can be told",
-                                                    length, shortest));
+    throw InputError("[decompose]", fmt::format("decompose.block = {} is below {}, the fewest "
+                                                "snapshots in which a frequency can be told",
+                                                length, shortest));
   if (length > snapshots)
     throw InputError(
-        "decompose.block",
+        "[decompose]",
         fmt::format("decompose.block = {} is more than the {} snapshots there are; shorter "
                     "blocks, or more snapshots, make one at least",
                     length, snapshots));

@@ -5,7 +5,8 @@
 usage: decomposition_oracle.py FILE.h5 METHOD [KEY=VALUE ...]     one JSON object on standard output
 
 METHOD  pod   Sirovich (1987): eigenvalues of the snapshots' products
-        dmd   Tu, Rowley, Luchtenburg, Brunton & Kutz (2014), algorithm 2; rank=R
+        dmd   Tu, Rowley, Luchtenburg, Brunton & Kutz (2014), algorithm 2; rank=R; of weights
+              that change with time their mean
         spod  Towne, Schmidt & Colonius (2018), algorithm 1; block=N overlap=S window=hamming|hann|none
 KEY     mean=removed|kept, and those above. The file has q (M, n) or (M, c, n), t (M), and perhaps
         weight (n) or (M, n).
@@ -17,7 +18,7 @@ import h5py
 import numpy as np
 
 
-def weighted_snapshots(name, mean):
+def weighted_snapshots(name, mean, has_mean_weight):
     """W^1/2 q, a column for each time, and the time step."""
     with h5py.File(name) as file:
         t = file["t"][()].astype(float)
@@ -28,6 +29,8 @@ def weighted_snapshots(name, mean):
         q = q[:, None, :]
     if weight.ndim == 1:
         weight = np.broadcast_to(weight, (len(t), q.shape[2]))
+    if has_mean_weight:
+        weight = np.broadcast_to(weight.mean(axis=0), weight.shape)
     if mean == "removed":
         q = q - q.mean(axis=0)
     weighted = np.sqrt(weight)[:, None, :] * q
@@ -81,7 +84,7 @@ def main():
     name, method = sys.argv[1:3]
     keys = dict(item.split("=", 1) for item in sys.argv[3:])
     mean = keys.get("mean", "kept" if method == "dmd" else "removed")
-    snapshots, dt = weighted_snapshots(name, mean)
+    snapshots, dt = weighted_snapshots(name, mean, method == "dmd")
     if method == "pod":
         found = pod(snapshots)
     elif method == "dmd":

@@ -84,6 +84,20 @@ TEST_F(Decompose, FindsProperOrthogonalModes) {
   const hdf5::Reader modes(results("pod") + "/decomposition.h5");
   EXPECT_EQ(modes.shape("/modes"), (hdf5::Shape{4, 1, 60}));
   EXPECT_EQ(modes.shape("/coefficients"), (hdf5::Shape{4, 150}));
+  // With the mean the modes are the data but for what four modes leave.
+  const std::vector<double> mean = modes.read("/mean", {1, 1, 60}).values,
+                            phi = modes.read("/modes").values,
+                            a = modes.read("/coefficients").values;
+  EXPECT_EQ(modes.read("/weight", {1, 1, 60}).values, std::vector<double>(60, 1.0));
+  const std::vector<double> q = hdf5::Reader(file()).read("/q").values;
+  double largest = 0;
+  for (std::size_t m = 0; m < 150; ++m)
+    for (std::size_t i = 0; i < 60; ++i) {
+      double sum = mean[i];
+      for (std::size_t j = 0; j < 4; ++j) sum += a[j * 150 + m] * phi[j * 60 + i];
+      largest = std::max(largest, std::abs(sum - q[m * 60 + i]));
+    }
+  EXPECT_LT(largest, 0.06) << "of noise of 0.01 in each value";
 }
 
 TEST_F(Decompose, FindsDynamicModes) {

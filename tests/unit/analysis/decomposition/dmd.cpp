@@ -47,7 +47,7 @@ struct KnownSum {
 void expect_exact(DmdVariant variant) {
   const KnownSum known;
   const MatrixXcd q = exponentials(known.lambda, known.B, 60);
-  const Dmd found = dmd<Complex>(q, dt, 12, variant, {});
+  const Dmd found = dmd<Complex>(q, dt, 12, {variant, {}});
   ASSERT_EQ(found.rank, 3);
   const auto modes = sorted(found);
   for (Index j = 0; j < 3; ++j) {
@@ -80,7 +80,7 @@ TEST(Dmd, FindsPairsInRealData) {
   const MatrixXcd B = NormalNumbers(2).complex_matrix(30, 2);
   const MatrixXd q = exponentials(VectorXcd{{Complex(0.2, 5), Complex(-0.3, 9)}}, B, 80).real();
   for (const DmdVariant variant : {DmdVariant::exact, DmdVariant::optimised}) {
-    const auto modes = sorted(dmd<double>(q, dt, 30, variant, {}));
+    const auto modes = sorted(dmd<double>(q, dt, 30, {variant, {}}));
     ASSERT_EQ(modes.size(), 4U);
     EXPECT_LT(std::abs(modes[3].lambda - Complex(-0.3, 9)), 1e-10);
     EXPECT_LT(std::abs(modes[2].lambda - Complex(0.2, 5)), 1e-10);
@@ -101,7 +101,7 @@ TEST(ExactDmd, DecaysByNoiseAsMuchAsTheorySays) {
   for (unsigned draw = 0; draw < draws; ++draw) {
     const MatrixXcd noisy = q + s * NormalNumbers(draw).complex_matrix(values, M);
     mean +=
-        dmd<Complex>(noisy, dt, values, DmdVariant::exact, 1).modes.front().lambda.real() / draws;
+        dmd<Complex>(noisy, dt, values, {DmdVariant::exact, 1}).modes.front().lambda.real() / draws;
   }
   const double theory = -std::log(1 + s * s) / dt;
   EXPECT_NEAR(mean / theory, 1, 0.03);
@@ -142,7 +142,7 @@ TEST(OptimisedDmd, IsAsCertainAsCramerAndRaoAllowInNoise) {
   constexpr int draws = 200;
   for (unsigned draw = 0; draw < draws; ++draw) {
     const MatrixXcd noisy = q + s * NormalNumbers(1000 + draw).complex_matrix(6, M);
-    const auto modes = sorted(dmd<Complex>(noisy, dt, 6, DmdVariant::optimised, 2));
+    const auto modes = sorted(dmd<Complex>(noisy, dt, 6, {DmdVariant::optimised, 2}));
     for (Index j = 0; j < 2; ++j) {
       const DmdMode& mode = modes[static_cast<std::size_t>(j)];
       const Complex error = mode.lambda - lambda(j);
@@ -167,7 +167,7 @@ double share_within_errors(DmdVariant variant, Complex lambda, double s) {
   int within = 0;
   for (unsigned draw = 0; draw < draws; ++draw) {
     const MatrixXd noisy = q + s * NormalNumbers(2000 + draw).matrix(20, 200);
-    const DmdMode mode = sorted(dmd<double>(noisy, dt, 20, variant, 2)).back();
+    const DmdMode mode = sorted(dmd<double>(noisy, dt, 20, {variant, 2})).back();
     within += std::abs(mode.lambda.real() - lambda.real()) < mode.growth_error ? 1 : 0;
     within += std::abs(mode.lambda.imag() - lambda.imag()) < mode.omega_error ? 1 : 0;
   }
@@ -187,13 +187,15 @@ TEST(Dmd, TakesTheRankOfTheSignal) {
   const MatrixXcd q =
       exponentials(known.lambda, known.B, 100) + 0.01 * NormalNumbers(5).complex_matrix(12, 100);
   for (const DmdVariant variant : {DmdVariant::exact, DmdVariant::optimised})
-    EXPECT_EQ(dmd<Complex>(q, dt, 12, variant, {}).rank, 3);
+    EXPECT_EQ(dmd<Complex>(q, dt, 12, {variant, {}}).rank, 3);
 }
 
 TEST(Dmd, RefusesARankAboveThatOfTheData) {
   const KnownSum known;
   const MatrixXcd q = exponentials(known.lambda, known.B, 40);
-  EXPECT_THAT(failure_of<InputError>([&] { dmd<Complex>(q, dt, 12, DmdVariant::exact, 5); }),
+  EXPECT_THAT(failure_of<InputError>([&] {
+                dmd<Complex>(q, dt, 12, {DmdVariant::exact, 5});
+              }),
               testing::HasSubstr("decompose.rank = 5 is above 3, the rank of these data"));
 }
 
@@ -201,16 +203,70 @@ TEST(Dmd, SaysWhichEigenvaluesVanish) {
   MatrixXd q = MatrixXd::Zero(3, 6);
   for (Index m = 0; m < 6; ++m) q(0, m) = std::exp(-0.1 * static_cast<double>(m));
   q(1, 0) = 1;  // gone after one step
-  const Dmd found = dmd<double>(q, 1, 3, DmdVariant::exact, {});
+  const Dmd found = dmd<double>(q, 1, 3, {DmdVariant::exact, {}});
   EXPECT_EQ(found.rank, 2);
   EXPECT_EQ(found.vanished, 1);
   EXPECT_NEAR(found.modes.front().lambda.real(), -0.1, 1e-12);
 }
 
+// One shape for both phases: no rank above one, so that one real exponential is all that exact
+// modes of single snapshots can have, and it is wrong.
+TEST(Dmd, TellsAnOscillationThatStands) {
+  const VectorXd shape = NormalNumbers(7).matrix(20, 1);
+  MatrixXd q(20, 120);
+  for (Index m = 0; m < 120; ++m) q.col(m) = shape * std::cos(5.5 * dt * static_cast<double>(m));
+  EXPECT_GT(dmd<double>(q, dt, 20, {DmdVariant::exact}).misfit, 0.5);
+  for (const DmdChoice& choice :
+       {DmdChoice{DmdVariant::exact, {}, 2}, DmdChoice{DmdVariant::optimised, {}, 2},
+        DmdChoice{DmdVariant::optimised, 2, 1}}) {
+    const Dmd found = dmd<double>(q, dt, 20, choice);
+    ASSERT_EQ(found.rank, 2);
+    EXPECT_LT(std::abs(found.modes.front().lambda - Complex(0, 5.5)), 1e-9)
+        << "with omega > 0 first";
+    EXPECT_NEAR(found.modes.front().amplitude, shape.norm() / 2, 1e-9) << "half of the pair's";
+    EXPECT_LT(found.misfit, 1e-9);
+  }
+}
+
+TEST(OptimisedDmd, KeepsThePairsOfRealDataInNoise) {
+  const MatrixXd q = exponentials(VectorXcd{{Complex(0.1, 4), Complex(-0.2, 9)}},
+                                  NormalNumbers(8).complex_matrix(16, 2), 150)
+                         .real() +
+                     0.2 * NormalNumbers(9).matrix(16, 150);
+  const Dmd found = dmd<double>(q, dt, 16, {DmdVariant::optimised, 4});
+  ASSERT_EQ(found.modes.size(), 4U);
+  for (std::size_t k = 0; k < 4; k += 2) {
+    EXPECT_GT(found.modes[k].lambda.imag(), 0);
+    EXPECT_EQ(found.modes[k + 1].lambda, std::conj(found.modes[k].lambda));
+  }
+}
+
+// More exponentials than the data have: a sentence, and never a number that is none.
+TEST(OptimisedDmd, RefusesAFitThatDoesNotConverge) {
+  const MatrixXd q =
+      exponentials(VectorXcd{{Complex(0.1, 4)}}, NormalNumbers(10).complex_matrix(8, 1), 200)
+          .real() +
+      0.3 * NormalNumbers(11).matrix(8, 200);
+  for (Index rank = 2; rank <= 8; ++rank) {
+    try {
+      const Dmd found = dmd<double>(q, dt, 8, {DmdVariant::optimised, rank});
+      double nearest = INFINITY;
+      for (const DmdMode& mode : found.modes) {
+        EXPECT_TRUE(std::isfinite(mode.amplitude + mode.growth_error + std::abs(mode.lambda)));
+        nearest = std::min(nearest, std::abs(mode.lambda - Complex(0.1, 4)));
+      }
+      EXPECT_LT(nearest, 0.05) << rank;
+    } catch (const SolverError& error) {
+      EXPECT_GT(rank, 2);
+      EXPECT_THAT(error.what(), testing::HasSubstr("decompose.rank"));
+    }
+  }
+}
+
 TEST(OptimisedDmd, HoldsForStrongGrowth) {
   const VectorXcd lambda{{Complex(8, 5), Complex(-1, 8)}};
   const MatrixXcd q = exponentials(lambda, NormalNumbers(6).complex_matrix(10, 2), 60);
-  const auto modes = sorted(dmd<Complex>(q, dt, 10, DmdVariant::optimised, 1));
+  const auto modes = sorted(dmd<Complex>(q, dt, 10, {DmdVariant::optimised, 1}));
   EXPECT_NEAR(modes.front().lambda.real(), 8, 1e-6) << "the decaying one is lost beside e^48";
 }
 

@@ -63,8 +63,8 @@ template <class Scalar>
 DenseMatrix<Scalar> modes_of(const Bands<Scalar>& bands, const Pod<Scalar>& pod) {
   DenseMatrix<Scalar> phi(static_cast<Index>(bands.layout().values()), pod.combination.cols());
   for_each_band_of_modes<Scalar, Scalar>(
-      bands, pod.combination, [&](Band band, const DenseMatrix<Scalar>& part) {
-        phi.middleRows(static_cast<Index>(band.first), part.rows()) = part;
+      bands, pod.combination, [&](const BandOfData<Scalar>& data, const DenseMatrix<Scalar>& part) {
+        phi.middleRows(static_cast<Index>(data.band.first), part.rows()) = part;
       });
   return phi;
 }
@@ -161,6 +161,33 @@ TEST(Pod, RefusesDataThatDoNotVary) {
   const Bands<double> bands(snapshots, {});
   EXPECT_THAT(failure_of<InputError>([&] { pod(triangular_factor(bands), true, 1); }),
               testing::HasSubstr("all snapshots are equal"));
+}
+
+// A tenth is no number of the machine, and its mean is another one.
+TEST(Pod, TakesWhatIsLeftOfAConstantForRounding) {
+  const HeldSnapshots<double> snapshots(steps(7, 1), MatrixXd::Constant(4, 7, 0.1));
+  const Bands<double> bands(snapshots, {});
+  EXPECT_THAT(failure_of<InputError>([&] { pod(triangular_factor(bands), true, 1); }),
+              testing::HasSubstr("all snapshots are equal"));
+}
+
+TEST(Bands, TakeTheMeanOfWeightsWhereSnapshotsAreCompared) {
+  const MatrixXd q = NormalNumbers(6).matrix(5, 8),
+                 weight = NormalNumbers(7).matrix(5, 8).cwiseAbs();
+  const HeldSnapshots<double> snapshots(steps(8, 1), q, weight);
+  const Bands<double> bands(snapshots, {.removes_mean = false, .has_mean_weight = true});
+  bands.for_each(0, 0, [&](const BandOfData<double>& data) {
+    const VectorXd root = weight.rowwise().mean().cwiseSqrt();
+    EXPECT_LT((data.A - root.asDiagonal() * q).norm(), 1e-14);
+    EXPECT_LT((data.mean - q.rowwise().mean()).norm(), 1e-15);
+  });
+}
+
+TEST(Bands, RefuseNumbersWithoutSquares) {
+  const HeldSnapshots<double> snapshots(steps(4, 1), MatrixXd::Constant(3, 4, 1e200));
+  const Bands<double> bands(snapshots, {});
+  EXPECT_THAT(failure_of<InputError>([&] { triangular_factor(bands); }),
+              testing::HasSubstr("whose squares are no numbers"));
 }
 
 TEST(Bands, RefuseAMemoryThatHoldsNotOneValue) {

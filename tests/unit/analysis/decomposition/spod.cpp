@@ -68,7 +68,8 @@ TEST(Spod, FindsAWaveAtItsFrequencyWithItsShape) {
   EXPECT_NEAR(total(found), 0.5, 2e-2);
   MatrixXcd mode(30, 2);
   for_each_band_of_spod_modes<double>(
-      bands, found, highest, 2, [&](Band, std::size_t, const MatrixXcd& part) { mode = part; });
+      bands, found, highest, 2,
+      [&](const BandOfData<double>&, std::size_t, const MatrixXcd& part) { mode = part; });
   EXPECT_NEAR(std::abs(mode.col(0).dot(phi.cast<Complex>())), 1, 1e-9);
   EXPECT_LT(found.energy[8](1) / found.energy[8](0), 1e-12);
 }
