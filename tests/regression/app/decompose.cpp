@@ -20,7 +20,6 @@ using test::bad_input;
 using test::done;
 using test::Outcome;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using Complex = std::complex<double>;
 using Words = std::vector<std::string>;
 

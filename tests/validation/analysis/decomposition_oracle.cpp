@@ -37,7 +37,7 @@ class AgainstNumPy : public test::Commands {
                    0.4 * std::cos(7 * x + 8 * time) * std::exp(-0.02 * time) + 1;
       }
     const Eigen::MatrixXd weight = random.matrix(points, M).cwiseAbs();
-    const std::string path = (folder_ / "waves.h5").string();
+    std::string path = (folder_ / "waves.h5").string();
     hdf5::Writer file(path);
     file.write("/t", {static_cast<hsize_t>(M)}, t);
     file.write("/q", {static_cast<hsize_t>(M), 2, static_cast<hsize_t>(points)},

@@ -35,8 +35,8 @@ class FlagShapes final : public Snapshots {
     for (Index i = 0; i < z_.rows(); ++i)
       for (Index m = 0; m < z_.cols(); ++m) {
         const auto point = static_cast<std::size_t>(i);
-        const double x =
-            span * static_cast<double>(point / y.size()) / static_cast<double>(stations);
+        const std::size_t station = point / y.size();
+        const double x = span * static_cast<double>(station) / static_cast<double>(stations);
         z_(i, m) = z(x, layout().y[point], layout().t[static_cast<std::size_t>(m)]);
       }
   }

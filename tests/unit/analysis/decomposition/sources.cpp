@@ -278,6 +278,7 @@ class WavesOfAFlag : public testing::Test {
     file.write("/z", {t.size(), stations, 3}, z);
     file.write("/y", {3}, std::vector<double>{0, 0.5, 1});
     std::vector<double> x;
+    x.reserve(stations);
     for (int i = 0; i < stations; ++i) x.push_back(span * i / stations);
     file.write("/x", {stations}, x, {{"span", span}});
     file.finish();

@@ -87,7 +87,7 @@ TEST(Spod, TellsTheSenseOfAComplexWave) {
 // Independent numbers of unit variance: the density is 2 dt for each value at all frequencies but
 // the ends, where it is dt.
 TEST(Spod, IsFlatForWhiteNoise) {
-  constexpr Index values = 5, length = 32, M = 32 * 60;
+  constexpr Index values = 5, length = 32, M = 1920;
   const Spod found = spod_of<double>(NormalNumbers(4).matrix(values, M), length, Taper::hamming);
   for (std::size_t f = 1; f + 1 < found.f.size(); ++f) {
     // Five densities of some 110 independent blocks each.
@@ -129,10 +129,10 @@ TEST(Spod, HasAKnownDensityWithinItsInterval) {
 TEST(WelchBlocks, AreWorthFewerIndependentOnesWhereTheyOverlap) {
   EXPECT_EQ(welch_blocks(64, 16, 0, Taper::none).count(), 4);
   EXPECT_NEAR(welch_blocks(64, 16, 0, Taper::none).independent(), 4, 1e-12);
-  const Blocks half = welch_blocks(16 * 1000, 16, 0.5, Taper::none);
+  const Blocks half = welch_blocks(16000, 16, 0.5, Taper::none);
   // A rectangle that overlaps by half correlates by a half: 1 + 2/4.
   EXPECT_NEAR(half.independent() / static_cast<double>(half.count()), 1 / 1.5, 1e-3);
-  const Blocks hann = welch_blocks(1024 * 100, 1024, 0.5, Taper::hann);
+  const Blocks hann = welch_blocks(102400, 1024, 0.5, Taper::hann);
   // Hann's correlates by a sixth (Welch 1967).
   EXPECT_NEAR(hann.independent() / static_cast<double>(hann.count()), 1 / (1 + 2.0 / 36), 1e-3);
 }
