@@ -221,49 +221,39 @@ std::vector<Index> order_of(const VectorXcd& theta, const VectorXd& mean_square,
   return order;
 }
 
-}  // namespace
-
+// How many snapshots are stacked: where the optimised variant is asked for more exponentials than
+// there are shapes, so many that their start can be told.
 template <class Scalar>
-Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, const DmdChoice& choice) {
+Index delays_for(const DenseMatrix<Scalar>& R, std::size_t values, const DmdChoice& choice) {
+  if (choice.variant == DmdVariant::exact || !choice.rank) return choice.delays;
   const Index M = R.cols();
-  if (M < choice.delays + 2)
-    throw InputError(
-        "[decompose]",
-        fmt::format(
-            "dynamic modes with decompose.delays = {} need {} snapshots at least; there are {}",
-            choice.delays, choice.delays + 2, M));
-  Dmd result;
-  Found found;
-  // More exponentials than shapes are told apart by later snapshots alone.
-  Index delays = choice.delays;
-  if (choice.variant == DmdVariant::optimised && choice.rank)
-    delays = std::max(
-        delays, std::min(*choice.rank / std::max<Index>(std::min(R.rows(), M), 1) + 2, M / 2));
-  const bool needs_delays = choice.variant == DmdVariant::optimised && choice.rank &&
-                            *choice.rank > checked_rank(singular_values(R), values, M, {});
-  if (!needs_delays) delays = choice.delays;
-  const DenseMatrix<Scalar> H = stacked(R, delays);
-  const std::size_t stacked_values = values * static_cast<std::size_t>(delays);
-  if (choice.variant == DmdVariant::exact) {
-    const ExactParts<Scalar> parts = exact_parts(H, stacked_values, choice.rank);
-    result.rank = parts.rank;
-    found = exact(R, H, dt, stacked_values, parts);
-  } else {
-    result.rank = checked_rank(singular_values<Scalar>(H.leftCols(H.cols() - 1)), stacked_values,
-                               H.cols() - 1, choice.rank);
-    result.rank_of_signal = result.rank;
-    for (bool is_found = false; !is_found;) {
-      try {
-        found = optimised(R, H, dt, stacked_values / static_cast<std::size_t>(delays), result.rank);
-        is_found = true;
-      } catch (const SolverError&) {
-        // Without a rank that was asked for, one that can be fitted.
-        if (choice.rank || result.rank == 1) throw;
-        result.rank = std::min(result.rank - 1, result.rank * 4 / 5);
-      }
+  if (*choice.rank <= checked_rank(singular_values(R), values, M, {})) return choice.delays;
+  const Index enough = *choice.rank / std::min(R.rows(), M) + 2;
+  return std::max(choice.delays, std::min(enough, M / 2));
+}
+
+// The optimised fit; without a rank that was asked for, of one that can be fitted.
+template <class Scalar>
+Found fitted(const DenseMatrix<Scalar>& R, const DenseMatrix<Scalar>& H, double dt,
+             std::size_t values, Index delays, std::optional<Index> asked, Dmd& result) {
+  const Index pairs = H.cols() - 1;
+  result.rank = checked_rank(singular_values<Scalar>(H.leftCols(pairs)),
+                             values * static_cast<std::size_t>(delays), pairs, asked);
+  result.rank_of_signal = result.rank;
+  while (true) {
+    try {
+      return optimised(R, H, dt, values, result.rank);
+    } catch (const SolverError&) {
+      if (asked || result.rank == 1) throw;
+      result.rank = std::min(result.rank - 1, result.rank * 4 / 5);
     }
   }
+}
 
+// The modes with their norms, phases, order and misfit, of what was found.
+template <class Scalar>
+void set_modes(const DenseMatrix<Scalar>& R, double dt, const Found& found, Dmd& result) {
+  const Index M = R.cols();
   std::vector<Index> kept;
   for (Index j = 0; j < result.rank; ++j)
     if (std::abs(found.theta(j)) > vanishing) kept.push_back(j);
@@ -280,19 +270,41 @@ Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, const DmdCh
   result.combination.resize(M, theta.size());
   for (const Index k : order_of(theta, mean_square, is_real<Scalar>)) {
     const Index j = kept[static_cast<std::size_t>(k)];
-    const double amplitude = parts.col(k).norm();
-    const double growth_error = std::sqrt(std::max(found.growth_variance(j), 0.0)),
-                 omega_error = std::sqrt(std::max(found.omega_variance(j), 0.0));
-    result.combination.col(static_cast<Index>(result.modes.size())) =
-        found.combination.col(j) / std::max(amplitude, 1e-300);
-    result.modes.push_back(
-        {std::log(theta(k)) / dt, amplitude, found.residual(j), growth_error, omega_error});
-    if (!std::isfinite(amplitude + growth_error + omega_error))
+    const DmdMode mode{std::log(theta(k)) / dt, parts.col(k).norm(), found.residual(j),
+                       std::sqrt(std::max(found.growth_variance(j), 0.0)),
+                       std::sqrt(std::max(found.omega_variance(j), 0.0))};
+    if (!std::isfinite(mode.amplitude + mode.growth_error + mode.omega_error))
       throw SolverError(
           fmt::format("the dynamic modes of rank {} are no numbers: two of them are the same to "
                       "rounding; decompose.rank takes fewer",
                       result.rank));
+    result.combination.col(static_cast<Index>(result.modes.size())) =
+        found.combination.col(j) / std::max(mode.amplitude, 1e-300);
+    result.modes.push_back(mode);
   }
+}
+
+}  // namespace
+
+template <class Scalar>
+Dmd dmd(const DenseMatrix<Scalar>& R, double dt, std::size_t values, const DmdChoice& choice) {
+  if (R.cols() < choice.delays + 2)
+    throw InputError(
+        "[decompose]",
+        fmt::format(
+            "dynamic modes with decompose.delays = {} need {} snapshots at least; there are {}",
+            choice.delays, choice.delays + 2, R.cols()));
+  Dmd result;
+  const Index delays = delays_for(R, values, choice);
+  const DenseMatrix<Scalar> H = stacked(R, delays);
+  if (choice.variant == DmdVariant::optimised) {
+    set_modes(R, dt, fitted(R, H, dt, values, delays, choice.rank, result), result);
+    return result;
+  }
+  const std::size_t stacked_values = values * static_cast<std::size_t>(delays);
+  const ExactParts<Scalar> parts = exact_parts(H, stacked_values, choice.rank);
+  result.rank = parts.rank;
+  set_modes(R, dt, exact(R, H, dt, stacked_values, parts), result);
   return result;
 }
 

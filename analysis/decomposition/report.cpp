@@ -169,9 +169,10 @@ std::string text_of_pod(const Decomposition& found) {
 }
 
 std::string text_of_dmd(const Decomposition& found) {
-  std::string text =
-      fmt::format("  rank {}{}\n", found.dmd->rank,
-                  found.settings.rank ? "" : ", by the singular values above the noise");
+  std::string text = fmt::format("  rank {}{}\n", found.dmd->rank,
+                                 found.settings.rank || found.dmd->rank < found.dmd->rank_of_signal
+                                     ? ""
+                                     : ", by the singular values above the noise");
   text += fmt::format("  misfit of all snapshots: {:.3g} of their norm\n", found.dmd->misfit);
   text += "        growth +- error          omega +- error    amplitude  residual\n";
   for (const DmdMode& mode : shown_modes(found))
