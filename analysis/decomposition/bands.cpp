@@ -37,10 +37,6 @@ Eigen::MatrixXcd at_times(const Eigen::MatrixXcd& rows, const std::vector<double
   return found;
 }
 
-}  // namespace
-
-namespace {
-
 // Numbers whose squares are none.
 template <class Vector>
 void expect_squares(const Vector& sum) {

@@ -190,17 +190,8 @@ std::unique_ptr<Snapshots> open_flag(hdf5::Reader file, const std::vector<double
       file.fail(
           fmt::format("has {} stations in /x and {} in /z", layout.stations->count, shape[1]));
   }
-  const std::size_t stations = shape.size() == 3 ? shape[1] : 1;
   std::vector<double> weights = flag_pieces(y, layout.stations);
-  for (std::size_t i = 0; i < stations; ++i)
-    for (const double at : y) {
-      layout.y.push_back(at);
-      if (layout.stations)
-        layout.coordinates.push_back(layout.stations->span * static_cast<double>(i) /
-                                     static_cast<double>(stations));
-      layout.coordinates.push_back(at);
-    }
-  layout.dimensions = layout.stations ? 2 : 1;
+  place_nodes(y, layout);
   return std::make_unique<HdfSnapshots>(std::move(file), "/z", std::move(layout), taken,
                                         std::move(weights));
 }

@@ -8,7 +8,7 @@ namespace pennon::decomposition {
 
 ModesWriter::ModesWriter(hdf5::Writer* file, std::string name, const Layout& layout,
                          std::size_t modes, bool is_complex, const std::string& meaning)
-    : file_(file), name_(std::move(name)), points_(layout.points), is_complex_(is_complex) {
+    : file_(file), name_(std::move(name)), points_(layout.points) {
   if (file_ == nullptr) return;
   const hdf5::Shape shape = {modes, layout.components.size(), layout.points};
   if (!is_complex) {

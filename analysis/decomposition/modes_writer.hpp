@@ -27,7 +27,6 @@ class ModesWriter {
   hdf5::Writer* file_;
   std::string name_;
   std::size_t points_;
-  bool is_complex_;
 };
 
 }  // namespace pennon::decomposition

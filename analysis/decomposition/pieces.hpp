@@ -1,4 +1,5 @@
-/// The pieces of a flag that belong to its nodes: the weights of its shapes.
+/// The nodes of a flag: their places, and the pieces of it that belong to them, the weights of its
+/// shapes.
 #pragma once
 
 #include <optional>
@@ -26,6 +27,20 @@ inline std::vector<double> flag_pieces(const std::vector<double>& y,
     for (const double length : of_station)
       all.push_back(length * stations->span / static_cast<double>(stations->count));
   return all;
+}
+
+/// Says in the layout where the nodes at y are, at each of its stations.
+inline void place_nodes(const std::vector<double>& y, Layout& layout) {
+  const std::size_t stations = layout.stations ? layout.stations->count : 1;
+  for (std::size_t i = 0; i < stations; ++i)
+    for (const double at : y) {
+      layout.y.push_back(at);
+      if (layout.stations)
+        layout.coordinates.push_back(layout.stations->span * static_cast<double>(i) /
+                                     static_cast<double>(stations));
+      layout.coordinates.push_back(at);
+    }
+  layout.dimensions = layout.stations ? 2 : 1;
 }
 
 }  // namespace pennon::decomposition

@@ -171,16 +171,7 @@ std::unique_ptr<Snapshots> open_run_flag(const std::filesystem::path& folder, do
     if (!(layout.stations->span > 0))
       file.fail("has shapes whose last station is not one span behind the first");
   }
-  const std::size_t stations = layout.stations ? layout.stations->count : 1;
-  for (std::size_t i = 0; i < stations; ++i)
-    for (const double at : y) {
-      layout.y.push_back(at);
-      if (layout.stations)
-        layout.coordinates.push_back(layout.stations->span * static_cast<double>(i) /
-                                     static_cast<double>(stations));
-      layout.coordinates.push_back(at);
-    }
-  layout.dimensions = layout.stations ? 2 : 1;
+  place_nodes(y, layout);
   std::vector<double> weights = flag_pieces(y, layout.stations);
   for (double& weight : weights) weight *= mu;
   return std::make_unique<FlagSnapshots>(std::move(file), std::move(layout), taken,
